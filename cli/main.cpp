@@ -1,11 +1,12 @@
-#include "cli/codes.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/environment/failure_line.hpp"
+#include "axisc/environment/version.hpp"
 #include "cli/commands/command_table.hpp"
-#include "cli/failure.hpp"
-#include "cli/failure_line.hpp"
+#include "cli/help/help_page.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/help_text.hpp"
-#include "cli/sentences.hpp"
-#include "cli/version.hpp"
+#include "cli/options/sentences.hpp"
 #include "schema/closest_word.hpp"
 #include "system/process.hpp"
 
@@ -39,16 +40,16 @@ std::string help(Language language) {
     return render({.sentence = text, .arguments = {}}, language);
   };
   auto const width = help_width();
-  auto const program = program_description();
-  std::string text = help_paragraphs(say(program.purpose), width) + "\n" + say(cli::says::help_usage) +
-                     ": axisc " + say(cli::says::help_command) + " [" + say(cli::says::help_options) +
-                     "]\n\n" + say(cli::says::help_commands_heading) + ":\n";
+  auto const page = help_page({}, language);
+  std::string text = help_paragraphs(page.purpose, width) + "\n" + say(cli::says::help_usage) + ": axisc " +
+                     say(cli::says::help_command) + " [" + say(cli::says::help_options) + "]\n\n" +
+                     say(cli::says::help_commands_heading) + ":\n";
   for (auto const& command : commands()) text += help_row(command.name, say(command.meaning), width);
   text += "\n" + say(cli::says::help_options_heading) + ":\n";
-  for (auto const& option : program.options) {
+  for (auto const& option : program_description().options) {
     text += help_row(heading_of(option, language), say(option.meaning), width);
   }
-  return text + "\n" + help_paragraphs(say(program.examples), width);
+  return text + "\n" + help_paragraphs(page.examples, width);
 }
 
 /// Options that every command has, with a value.

@@ -43,10 +43,10 @@ string(CONFIGURE [[{
 
 # Debian keeps the licence of each package there; elsewhere the text refers to the project.
 set(debian /usr/share/doc)
-file(STRINGS "${PROJECT_SOURCE_DIR}/third_party/uplot/refresh" uplot REGEX "^version=")
+file(STRINGS "${PROJECT_SOURCE_DIR}/presentation/pictures/uplot/refresh" uplot REGEX "^version=")
 string(REPLACE "version=" "" uplot "${uplot}")
-axisc_part(uPlot ${uplot} MIT "https://github.com/leeoniya/uPlot" "${PROJECT_SOURCE_DIR}/third_party/uplot/LICENSE")
-axisc_part(Boost ${Boost_VERSION_STRING} BSL-1.0 "https://www.boost.org" "${PROJECT_SOURCE_DIR}/third_party/boost/LICENSE")
+axisc_part(uPlot ${uplot} MIT "https://github.com/leeoniya/uPlot" "${PROJECT_SOURCE_DIR}/presentation/pictures/uplot/LICENSE")
+axisc_part(Boost ${Boost_VERSION_STRING} BSL-1.0 "https://www.boost.org" "${PROJECT_SOURCE_DIR}/cmake/licences/boost/LICENSE")
 axisc_part(fmt ${fmt_VERSION} MIT "https://github.com/fmtlib/fmt" "${debian}/libfmt-dev/copyright")
 axisc_part("JSON for Modern C++" ${nlohmann_json_VERSION} MIT "https://github.com/nlohmann/json" "${debian}/nlohmann-json3-dev/copyright")
 axisc_part(CLI11 ${CLI11_VERSION} BSD-3-Clause "https://github.com/CLIUtils/CLI11" "${debian}/libcli11-dev/copyright")

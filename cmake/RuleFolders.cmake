@@ -3,8 +3,8 @@
 #
 #   axisc_add_rules(target)    adds the rules to the target, with the table of their rows and the table of their pages;
 #                              both are written again when a folder changes, comes or goes
-#
-# The same file, run as a script, writes the pages: cmake -DLIST=… -DOUTPUT=… -P RuleFolders.cmake
+
+include(EmbedPages)
 
 function(axisc_add_rules target)
   set(folder "${PROJECT_SOURCE_DIR}/validator/rules")
@@ -65,61 +65,5 @@ ${rows}});
 " @ONLY)
   target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/generated")
 
-  # The list is a file of its own so that a page that is taken away is noticed like one that changes.
-  set(list "${CMAKE_CURRENT_BINARY_DIR}/pages.list")
-  file(CONFIGURE OUTPUT "${list}" CONTENT "${pages}")
-  set(output "${CMAKE_CURRENT_BINARY_DIR}/generated/pages.cpp")
-  set(script "${PROJECT_SOURCE_DIR}/cmake/RuleFolders.cmake")
-  add_custom_command(OUTPUT "${output}"
-    COMMAND "${CMAKE_COMMAND}" "-DLIST=${list}" "-DOUTPUT=${output}" -P "${script}"
-    DEPENDS ${pages} "${list}" "${script}"
-    COMMENT "Embedding the pages of the rules" VERBATIM)
-  target_sources(${target} PRIVATE "${output}")
+  axisc_embed_pages(${target} axisc::validator "validator/rules/page_table.hpp" ${pages})
 endfunction()
-
-# Bytes of one literal that every compiler takes (clang refuses more than 64 KiB under -Wpedantic).
-set(AXISC_PAGE_LIMIT 60000)
-
-# `pages`: of each rule the English page, then the German one.
-function(axisc_write_pages pages output)
-  set(rows "")
-  foreach(path IN LISTS pages)
-    file(READ "${path}" text)
-    # The heading is the code and its name, which the row knows.
-    string(REGEX REPLACE "^# [^\n]*\n+" "" text "${text}")
-    string(LENGTH "${text}" length)
-    if(length GREATER AXISC_PAGE_LIMIT)
-      message(FATAL_ERROR "${path} is longer than ${AXISC_PAGE_LIMIT} bytes")
-    endif()
-    set(literal "R\"axisc_page(${text})axisc_page\"")
-    if(path MATCHES "/en\\.md$")
-      string(APPEND rows "    {${literal}")
-    else()
-      string(APPEND rows ",\n     ${literal}},\n")
-    endif()
-  endforeach()
-
-  file(WRITE "${output}" "// Written by cmake/RuleFolders.cmake from the pages of validator/rules.
-#include \"validator/rules/page_table.hpp\"
-
-#include <array>
-
-namespace axisc::validator {
-namespace {
-
-constexpr auto pages = std::to_array<Page>({
-${rows}});
-
-}  // namespace
-
-std::span<Page const> page_table() { return pages; }
-
-}  // namespace axisc::validator
-")
-endfunction()
-
-if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
-  cmake_policy(VERSION 3.25)
-  file(READ "${LIST}" pages)
-  axisc_write_pages("${pages}" "${OUTPUT}")
-endif()

@@ -3,7 +3,7 @@
 
 #include "codegen/filter_records.hpp"
 #include "codegen/image_tables.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 namespace axisc::codegen {
 

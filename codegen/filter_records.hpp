@@ -3,7 +3,7 @@
 
 #include "codegen/image_tables.hpp"
 #include "codegen/known_designs.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <cstdint>
 #include <span>

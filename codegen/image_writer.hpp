@@ -2,7 +2,7 @@
 #pragma once
 
 #include "codegen/known_designs.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "codegen/compiled_kernels.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SHA-256 over what an image was made from: names and bytes of its lists, never their location.
 #pragma once
 
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <array>
 #include <cstdint>

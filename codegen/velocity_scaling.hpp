@@ -1,7 +1,7 @@
 // Weight, limit and drive scaling of Improved Position Control, each rounded once.
 #pragma once
 
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 namespace axisc::codegen {
 

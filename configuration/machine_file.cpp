@@ -3,10 +3,10 @@
 #include "configuration/filter_set_limit.hpp"
 #include "configuration/json_check.hpp"
 #include "configuration/located_json.hpp"
+#include "configuration/machine/drive_type.hpp"
 #include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/terminal.hpp"
-#include "machine/drive_type.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>

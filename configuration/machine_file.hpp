@@ -2,9 +2,9 @@
 #pragma once
 
 #include "configuration/json_reading.hpp"
+#include "configuration/machine/machine.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
-#include "machine/machine.hpp"
 
 #include <deque>
 #include <optional>

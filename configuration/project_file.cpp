@@ -253,11 +253,7 @@ Project read_project(SourceSet const& sources, SourceId source, std::deque<Findi
 }
 
 bool is_project_name(std::string_view path) {
-  constexpr std::array<std::string_view, 2> extensions = {".tsproj", ".xti"};
-  return std::any_of(extensions.begin(), extensions.end(), [path](std::string_view extension) {
-    return path.size() > extension.size() &&
-           ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
-  });
+  return ascii::has_extension(path, ".tsproj") || ascii::has_extension(path, ".xti");
 }
 
 }  // namespace axisc::configuration

@@ -157,9 +157,7 @@ bool may_be_xml_list(std::string_view bytes) {
 }
 
 bool is_xml_name(std::string_view path) {
-  constexpr std::string_view extension = ".xml";
-  return path.size() > extension.size() &&
-         ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
+  return ascii::has_extension(path, ".xml");
 }
 
 bool is_numbered(std::string_view element) {

@@ -51,6 +51,12 @@ constexpr bool equal_ignoring_case(std::string_view a, std::string_view b) {
                     [](char x, char y) { return lower_case(x) == lower_case(y); });
 }
 
+/// True for a name that ends in `extension` (".json"), in upper or lower case, and has more before it.
+constexpr bool has_extension(std::string_view name, std::string_view extension) {
+  return name.size() > extension.size() &&
+         equal_ignoring_case(name.substr(name.size() - extension.size()), extension);
+}
+
 /// Without the spaces and tabs at both ends.
 constexpr std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);

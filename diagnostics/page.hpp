@@ -1,4 +1,5 @@
-// The page of a code: what it means and what to do about it, for `axisc explain`, docs/rules.md and SARIF.
+// A page in both languages: that of a code (what it means and what to do about it, for `axisc explain`, docs/rules.md
+// and SARIF), or that of a command.
 #pragma once
 
 #include "diagnostics/message.hpp"

@@ -1,4 +1,4 @@
-#include "editor/open_list.hpp"
+#include "editor/reading/open_list.hpp"
 #include "editor/server.hpp"
 #include "schema/indexed_name.hpp"
 
@@ -21,9 +21,9 @@ bool is_of_cascade(std::string_view name) {
 
 Json Server::execute(Json const& params) {
   auto const name = params.at("command").get<std::string>();
-  auto const& commands = surroundings_.pages.commands;
+  auto const commands = page_commands();
   auto const found = std::find_if(commands.begin(), commands.end(),
-                                  [&name](Command const& command) { return command.name == name; });
+                                  [&name](PageCommand const& command) { return command.name == name; });
   if (found == commands.end()) throw std::invalid_argument("unknown command " + name);
   auto const& arguments = params.at("arguments");
   auto const& asked = documents_.at(arguments.at(0).get<std::string>());
@@ -32,7 +32,8 @@ Json Server::execute(Json const& params) {
                       .machine = machine_of(asked),
                       .axis = axis_of(asked),
                       .words = {},
-                      .language = surroundings_.language};
+                      .language = surroundings_.language,
+                      .options = surroundings_.options};
   for (std::size_t i = 1; i < arguments.size(); ++i) subject.words.push_back(arguments[i].get<std::string>());
   auto page = found->page(subject);
   return {{"title", std::move(page.title)},
@@ -70,11 +71,12 @@ Json Server::resolve_lens(Json const& params) {
   auto lens = params;
   auto const& asked = documents_.at(params.at("data").get<std::string>());
   auto files = buffers();
-  lens["command"] = {{"title", surroundings_.pages.cascade({.files = files,
-                                                            .machine = machine_of(asked),
-                                                            .axis = axis_of(asked),
-                                                            .words = {},
-                                                            .language = surroundings_.language})},
+  lens["command"] = {{"title", cascade_line({.files = files,
+                                             .machine = machine_of(asked),
+                                             .axis = axis_of(asked),
+                                             .words = {},
+                                             .language = surroundings_.language,
+                                             .options = surroundings_.options})},
                      {"command", "axisc.plot"},
                      {"arguments", {asked.uri, "response"}}};
   return lens;

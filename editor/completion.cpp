@@ -1,8 +1,9 @@
+#include "axisc/answers/explain/explain_formats.hpp"
 #include "diagnostics/ascii.hpp"
 #include "editor/meaning/program_help.hpp"
-#include "editor/open_list.hpp"
-#include "editor/places.hpp"
-#include "editor/requests.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/places.hpp"
+#include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
 #include "schema/descriptions/description.hpp"
 #include "schema/indexed_name.hpp"
@@ -259,7 +260,7 @@ Json Server::resolve_completion(Json const& params) {
   if (row == rows.end()) return item;
   if (markdown_in_completion_) {
     item["documentation"] = {{"kind", "markdown"},
-                             {"value", surroundings_.explain(catalogue, *row, surroundings_.language)}};
+                             {"value", explain_parameter(catalogue, *row, surroundings_.language)}};
   } else {
     item["documentation"] = schema::description_of(*row).what.in(surroundings_.language);
   }

@@ -1,5 +1,5 @@
 #include "diagnostics/location.hpp"
-#include "editor/places.hpp"
+#include "editor/reading/places.hpp"
 #include "editor/server.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "diagnostics/fix_batch.hpp"
 #include "diagnostics/location.hpp"
-#include "editor/open_list.hpp"
-#include "editor/places.hpp"
-#include "editor/requests.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/places.hpp"
+#include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
 #include "validator/list_layout.hpp"
 

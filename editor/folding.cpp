@@ -1,5 +1,5 @@
+#include "editor/reading/text_positions.hpp"
 #include "editor/server.hpp"
-#include "editor/text_positions.hpp"
 
 #include <nlohmann/json.hpp>
 

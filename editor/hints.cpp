@@ -1,6 +1,6 @@
 #include "design/filter_kinds.hpp"
-#include "editor/open_list.hpp"
-#include "editor/requests.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
 #include "schema/value.hpp"
 #include "validator/views/filter_view.hpp"

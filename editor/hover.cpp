@@ -1,11 +1,12 @@
+#include "axisc/answers/explain/explain_formats.hpp"
 #include "configuration/list_kind.hpp"
 #include "diagnostics/location.hpp"
 #include "editor/meaning/filter_figures.hpp"
 #include "editor/meaning/parameter_number.hpp"
 #include "editor/meaning/program_help.hpp"
-#include "editor/open_list.hpp"
-#include "editor/places.hpp"
-#include "editor/requests.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/places.hpp"
+#include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
 #include "schema/descriptions/description.hpp"
 #include "validator/loading/loader.hpp"
@@ -120,7 +121,7 @@ Json Server::hover(Json const& params) {
                                : schema::Catalogue::of(number->kind);
     for (auto const id : catalogue.find_number(number->number)) {
       text += (text.empty() ? "" : "\n") +
-              surroundings_.explain(catalogue, catalogue.parameter(id), surroundings_.language);
+              explain_parameter(catalogue, catalogue.parameter(id), surroundings_.language);
     }
     if (!text.empty()) return answer(std::move(text), number->begin, number->end);
   }
@@ -136,7 +137,7 @@ Json Server::hover(Json const& params) {
   auto const found = list.find(list.slice(line->name));
   if (found.row == nullptr) return nullptr;
   if (is_on(line->name)) {
-    auto text = surroundings_.explain(list.catalogue(), *found.row, surroundings_.language);
+    auto text = explain_parameter(list.catalogue(), *found.row, surroundings_.language);
     if (found.status == schema::NameLookup::Status::found) {
       text += effective_text(list, found.slot, line->line, surroundings_.language);
       text += filter_figures(list, list.slice(line->name), markdown_, surroundings_.language);

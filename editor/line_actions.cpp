@@ -1,6 +1,6 @@
 #include "diagnostics/location.hpp"
-#include "editor/open_list.hpp"
-#include "editor/places.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/places.hpp"
 #include "editor/server.hpp"
 #include "schema/value.hpp"
 #include "validator/views/units_text.hpp"
@@ -72,11 +72,6 @@ void Server::add_finding_actions(Json& actions, Finding const& finding, Json con
                        {"diagnostics", Json::array({shown})},
                        {"edit", {{"changes", {{document.uri, Json::array({edit})}}}}}});
   }
-  auto const& commands = surroundings_.pages.commands;
-  bool const can_explain = std::any_of(commands.begin(), commands.end(), [](Command const& command) {
-    return command.name == "axisc.explain";
-  });
-  if (!can_explain) return;
   actions.push_back(
       {{"title", say(says::explain)},
        {"kind", "quickfix"},

@@ -4,9 +4,9 @@
 #include "diagnostics/ascii.hpp"
 #include "editor/meaning/named_axes.hpp"
 #include "editor/meaning/parameter_number.hpp"
-#include "editor/open_list.hpp"
-#include "editor/places.hpp"
-#include "editor/requests.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/places.hpp"
+#include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
 #include "schema/indexed_name.hpp"
 #include "validator/loading/loader.hpp"
@@ -121,7 +121,8 @@ Json Server::refer(Json const& params) {
 
 // A row of the table holds a member. NOLINTNEXTLINE(readability-make-member-function-const)
 Json Server::refuse_renaming(Json const& /*params*/) {
-  throw NoPage(render({.sentence = says::names_of_the_control, .arguments = {}}, surroundings_.language));
+  throw RequestRefused(
+      render({.sentence = says::names_of_the_control, .arguments = {}}, surroundings_.language));
 }
 
 Json Server::lines_setting(Document const& asked, std::size_t offset, LinesOf of) {

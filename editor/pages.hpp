@@ -1,13 +1,15 @@
-// What the program shows of a machine besides findings: pages for a preview, and a line above each cascade of filters.
+// Pages that a client shows of a machine, and the line above each cascade of filters.
 #pragma once
 
+#include "axisc/workspace/machine_search.hpp"
 #include "configuration/files.hpp"
 #include "diagnostics/message.hpp"
 
-#include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace axisc::editor {
@@ -27,23 +29,24 @@ struct PageSubject {
   std::optional<std::string> axis;  ///< of the document
   std::vector<std::string> words;   ///< that the client adds
   Language language = Language::english;
+  OptionsOf const& options;
 };
 
-/// Why there is no page, in the user's language.
-class NoPage : public std::runtime_error {
+/// Why a request has no answer, in the user's language.
+class RequestRefused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-struct Command {
-  std::string name;  ///< `axisc.report`
-  std::function<Page(PageSubject const&)> page;
+struct PageCommand {
+  std::string_view name;
+  Page (*page)(PageSubject const&);
 };
 
-struct Pages {
-  std::vector<Command> commands;
-  /// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" of the axis, of each where none is named, or why there is no figure.
-  std::function<std::string(PageSubject const&)> cascade;
-};
+/// `axisc.report`, `axisc.plot KIND`, `axisc.machine` and `axisc.explain CODE`. RequestRefused where there is no page.
+[[nodiscard]] std::span<PageCommand const> page_commands();
+
+/// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" of the axis, of each where none is named, or why there is no figure.
+[[nodiscard]] std::string cascade_line(PageSubject const& subject);
 
 }  // namespace axisc::editor

@@ -154,7 +154,7 @@ std::vector<std::string> Server::take(Json const& message) {
     return messages;
   } catch (Json::exception const& exception) {
     return refuse(ErrorCode::invalid_params, exception.what());
-  } catch (NoPage const& reason) {
+  } catch (RequestRefused const& reason) {
     return refuse(ErrorCode::request_failed, reason.what());
   } catch (std::invalid_argument const& reason) {
     return refuse(ErrorCode::invalid_params, reason.what());

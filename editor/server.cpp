@@ -100,7 +100,7 @@ Json Server::initialize(Json const& params) {
 
 Json Server::capabilities(std::string const& encoding) const {
   Json names = Json::array();
-  for (auto const& command : surroundings_.pages.commands) names.push_back(command.name);
+  for (auto const& command : page_commands()) names.push_back(command.name);
   Json all = {
       {"positionEncoding", encoding},
       {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},

@@ -1,14 +1,14 @@
 // The language server: a function from one message to messages. It opens no file and waits for nothing.
 #pragma once
 
+#include "axisc/workspace/buffers.hpp"
+#include "axisc/workspace/machine_search.hpp"
 #include "configuration/files.hpp"
 #include "diagnostics/message.hpp"
-#include "editor/buffers.hpp"
 #include "editor/client_settings.hpp"
-#include "editor/machine_context.hpp"
-#include "editor/machine_reading.hpp"
 #include "editor/pages.hpp"
-#include "editor/text_positions.hpp"
+#include "editor/reading/machine_reading.hpp"
+#include "editor/reading/text_positions.hpp"
 #include "validator/options.hpp"
 
 #include <functional>
@@ -29,9 +29,6 @@ namespace axisc::editor {
 struct Surroundings {
   configuration::Files& disk;
   OptionsOf options;
-  /// A parameter's page as Markdown, as `explain` prints it.
-  std::function<std::string(schema::Catalogue const&, schema::Parameter const&, Language)> explain;
-  Pages pages;
   Language language = Language::english;
   /// Takes the settings of the client into `options`; the language from then on. Null where none count.
   std::function<Language(ClientSettings const&)> configure = nullptr;

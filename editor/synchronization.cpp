@@ -1,9 +1,9 @@
+#include "axisc/workspace/uri.hpp"
 #include "configuration/start_up_list.hpp"
-#include "editor/edited_text.hpp"
-#include "editor/open_list.hpp"
-#include "editor/requests.hpp"
+#include "editor/reading/edited_text.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
-#include "editor/uri.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ std::string const& Server::machine_of(Document const& document) {
   auto const known = machines_.find(document.uri);
   if (known != machines_.end()) return known->second;
   auto files = buffers();
-  return machines_[document.uri] = search_.machine_of(files, document.path);
+  return machines_[document.uri] = search_.machine_of(files, document.path).machine;
 }
 
 Buffers Server::buffers() {

@@ -1,4 +1,4 @@
-#include "editor/open_list.hpp"
+#include "editor/reading/open_list.hpp"
 #include "editor/server.hpp"
 
 #include <array>

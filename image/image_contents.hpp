@@ -3,11 +3,11 @@
 #pragma once
 
 #include "axisrt.h"
+#include "configuration/machine/machine.hpp"
 #include "design/filter_design.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
 #include "design/units.hpp"
-#include "machine/machine.hpp"
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "axisrt.h"
 #include "codegen/aligned_bytes.hpp"
-#include "machine/filter_command.hpp"
+#include "configuration/machine/filter_command.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,8 +4,8 @@
 
 #include "axisrt.h"
 #include "codegen/aligned_bytes.hpp"
+#include "configuration/machine/filter_command.hpp"
 #include "design/units.hpp"
-#include "machine/filter_command.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // An answer, described once: facts, tables, paragraphs and figures as data. writers.hpp writes it in every format.
 #pragma once
 
-#include "pictures/figure.hpp"
+#include "presentation/pictures/figure.hpp"
 #include "presentation/value.hpp"
 
 #include <cstddef>

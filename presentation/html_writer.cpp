@@ -1,5 +1,5 @@
-#include "pictures/page.hpp"
-#include "pictures/svg_text.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg_text.hpp"
 #include "presentation/shown_table.hpp"
 #include "presentation/writers.hpp"
 

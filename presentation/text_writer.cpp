@@ -1,5 +1,5 @@
 #include "diagnostics/terminal.hpp"
-#include "pictures/braille.hpp"
+#include "presentation/pictures/braille.hpp"
 #include "presentation/shown_table.hpp"
 #include "presentation/text_layout.hpp"
 #include "presentation/writers.hpp"

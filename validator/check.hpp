@@ -3,8 +3,8 @@
 #pragma once
 
 #include "configuration/files.hpp"
+#include "configuration/machine/machine.hpp"
 #include "diagnostics/finding.hpp"
-#include "machine/machine.hpp"
 #include "validator/not_compiled.hpp"
 #include "validator/options.hpp"
 

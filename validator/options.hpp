@@ -1,10 +1,10 @@
 // What a check is asked to do: everything about policy comes in here, as data.
 #pragma once
 
+#include "configuration/machine/machine.hpp"
 #include "design/readings.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
-#include "machine/machine.hpp"
 #include "schema/catalogue.hpp"
 #include "validator/loading/build_version.hpp"
 

@@ -1,7 +1,7 @@
 #include "cli/browser/server_entry.hpp"
 
-#include "cli/commands/editor_session.hpp"
-#include "cli/failure_line.hpp"
+#include "axisc/environment/failure_line.hpp"
+#include "cli/commands/lsp.hpp"
 #include "cli/options/environment.hpp"
 #include "system/process.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 using namespace axisc;
 using namespace axisc::cli;
 
-std::unique_ptr<EditorSession> session;
+std::unique_ptr<editor::Session> session;
 std::string answer;
 
 /// Messages are JSON already.

@@ -1,16 +1,13 @@
 #include "cli/commands/command_table.hpp"
 
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "help_folders.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(axisc checks axis parameter lists of CNC controls, compiles the filters they configure into a coefficient
-image, and executes such images.)",
-    R"(axisc prüft Achsparameterlisten von CNC-Steuerungen, übersetzt die darin konfigurierten Filter in ein
-Koeffizientenabbild und führt solche Abbilder aus.)"};
 constexpr Sentence program_meaning{"check, compile and execute axis parameter lists",
                                    "Achsparameterlisten prüfen, übersetzen und ausführen"};
 constexpr Sentence lint_meaning{"check lists and machine files", "Listen und Maschinendateien prüfen"};
@@ -28,22 +25,6 @@ constexpr Sentence keygen_meaning{"make a pair of keys for signatures",
 constexpr Sentence sign_meaning{"sign an image", "ein Abbild signieren"};
 constexpr Sentence explain_meaning{"explain a code or a parameter",
                                    "einen Code oder einen Parameter erklären"};
-constexpr Sentence examples{R"(Examples:
-  axisc lint machine.json
-  axisc compile machine.json -o mill.axim
-  axisc run mill.axim --signal step --cycles 100
-
-Each command has its own help: axisc lint --help
-Exit status: 0 nothing wrong, 1 findings of severity error, 2 the command line, a file or the environment
-is at fault.)",
-                            R"(Beispiele:
-  axisc lint maschine.json
-  axisc compile maschine.json -o fraese.axim
-  axisc run fraese.axim --signal step --cycles 100
-
-Jeder Befehl hat seine eigene Hilfe: axisc lint --help
-Rückgabewert: 0 alles in Ordnung, 1 Befunde mit Schweregrad Fehler, 2 Befehlszeile, Datei oder
-Umgebung sind fehlerhaft.)"};
 
 constexpr Sentence diff_meaning{
     "say what changed between two lists, machines or images",
@@ -98,6 +79,14 @@ constexpr std::array<CommandRow, 20> rows = {{{"lint", says::lint_meaning, lint}
                                               {"schema", says::schema_meaning, schema},
                                               {"lsp", says::lsp_meaning, lsp}}};
 
+constexpr bool has_help(std::string_view command) {
+  return std::find(help_folders.begin(), help_folders.end(), command) != help_folders.end();
+}
+static_assert(has_help("axisc") && std::all_of(rows.begin(), rows.end(),
+                                               [](CommandRow const& row) { return has_help(row.name); }),
+              "each command has a folder in cli/help, the program has cli/help/axisc");
+static_assert(help_folders.size() == rows.size() + 1, "each folder in cli/help is that of a command");
+
 }  // namespace
 
 std::span<CommandRow const> commands() {
@@ -106,8 +95,6 @@ std::span<CommandRow const> commands() {
 
 CommandDescription program_description() {
   return {.meaning = says::program_meaning,
-          .purpose = says::purpose,
-          .examples = says::examples,
           .options = {
               {.names = "-h,--help", .meaning = says::option_help},
               {.names = "-V,--version", .meaning = says::option_version},

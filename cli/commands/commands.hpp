@@ -1,23 +1,10 @@
 // The commands of the program: each reads its options, calls the library and prints.
 #pragma once
 
-#include "cli/exit_status.hpp"
-#include "cli/manual/command_description.hpp"
-#include "cli/report/console.hpp"
-#include "diagnostics/message.hpp"
-
-#include <span>
-#include <string>
+#include "cli/options/exit_status.hpp"
+#include "cli/options/invocation.hpp"
 
 namespace axisc::cli {
-
-/// The arguments after the command's name, and the output streams. Every command may throw a Failure.
-struct Invocation {
-  std::span<std::string const> arguments;
-  Language language = Language::english;
-  Streams& streams;
-  CommandDescription* description = nullptr;  ///< where there is one, it is filled in and nothing is executed
-};
 
 [[nodiscard]] ExitStatus lint(Invocation const& invocation);
 [[nodiscard]] ExitStatus lsp(Invocation const& invocation);

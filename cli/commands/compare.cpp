@@ -1,35 +1,17 @@
+#include "axisc/answers/comparison/compare_formats.hpp"
+#include "axisc/answers/execution/recorded_axis.hpp"
+#include "axisc/answers/execution/recorded_switches.hpp"
+#include "axisc/checking/compiled_input.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/recorded_axis.hpp"
-#include "cli/execution/recorded_switches.hpp"
-#include "cli/files/compiled_input.hpp"
-#include "cli/formats/compare_formats.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
 #include "image/image_readings.hpp"
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Runs an axis' filters on a recorded setpoint and compares the result with the setpoint that the control made of it.
-Where they differ, says which reading of the parameters fits the recording.)",
-    R"(Führt einen aufgezeichneten Sollwert durch die Filter einer Achse und vergleicht das Ergebnis mit dem Sollwert, den
-die Steuerung daraus machte. Wo beide abweichen, nennt es die Lesart der Parameter, die zur Aufzeichnung passt.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc compare machine.json scope.csv --axis X
-  axisc compare mill.axim scope.csv --axis X --in setpoint --out filtered --format json
-  axisc compare machine.json scope.csv --axis X --emit settings > axisc.json
-
-Exit status: 0 the same, perhaps but for a delay; 1 different, or the recording cannot tell; 2 something could not
-be read. With --emit settings: 0 the settings were written, 1 the recording tells none or leaves some open.)",
-                            R"(Beispiele:
-  axisc compare maschine.json scope.csv --axis X
-  axisc compare fraese.axim scope.csv --axis X --in soll --out gefiltert --format json
-  axisc compare maschine.json scope.csv --axis X --emit settings > axisc.json
-
-Rückgabewert: 0 gleich, vielleicht bis auf eine Verzögerung; 1 verschieden, oder die Aufzeichnung entscheidet es
-nicht; 2 etwas war nicht lesbar. Mit --emit settings: 0 Einstellungen geschrieben, 1 die Aufzeichnung ergibt keine
-oder lässt welche offen.)"};
 constexpr Sentence argument_recording{"what a scope recorded: two columns, a row a cycle",
                                       "was ein Scope aufzeichnete: zwei Spalten, eine Zeile je Zyklus"};
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
@@ -64,6 +46,7 @@ struct CompareOptions {
   std::vector<std::string> commands;
   WantedColumns columns;
   RecordedUnit unit = RecordedUnit::recognised;
+  bool alone = false;
   Format format = Format::text;
   Emitted emitted = Emitted::nothing;
 };
@@ -81,6 +64,7 @@ void declare(CommandLine& command_line, CompareOptions& options) {
                        {"incr", RecordedUnit::increments}},
                       options.unit, says::option_recorded_unit);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_switched);
   command_line.choice("--emit", {{"settings", Emitted::settings}}, options.emitted, says::option_emit);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
@@ -108,16 +92,17 @@ ExitStatus emit_settings(comparison::Comparison const& result, design::Readings 
 
 ExitStatus compare(Invocation const& invocation) {
   CompareOptions options;
-  CommandLine command_line("compare", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("compare", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
   command_line.require(options.recording.has_value(), "RECORDING.csv");
-  auto const input = compiled_input(*options.input, options.cycle_time, invocation,
-                                    use_color(command_line.color(), system::Stream::error));
+  auto const input = compiled_input(
+      {.input = *options.input, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
+      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!input) return ExitStatus::findings;
   auto const& image = input->image.contents;
-  auto const axis = recorded_axis(image, options.axis, *options.input);
+  auto const axis = recorded_axis(image, options.axis ? options.axis : input->axis(), *options.input);
   auto const commands =
       read_timed_commands(options.commands, input->image, *options.input, invocation.language);
   auto recorded = compare_axis(image, axis, *options.recording, options.columns, options.unit,

@@ -1,50 +1,21 @@
-#include "cli/checking/depfile.hpp"
-#include "cli/checking/ordered_work.hpp"
-#include "cli/checking/written_image.hpp"
+#include "axisc/checking/depfile.hpp"
+#include "axisc/checking/ordered_work.hpp"
+#include "axisc/checking/report_context.hpp"
+#include "axisc/checking/report_stream.hpp"
+#include "axisc/checking/written_image.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/files/named_files.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
 #include "cli/options/compile_inputs.hpp"
 #include "cli/options/compile_options.hpp"
-#include "cli/report/progress.hpp"
-#include "cli/report/report_context.hpp"
-#include "cli/report/report_stream.hpp"
+#include "cli/options/named_files.hpp"
+#include "cli/terminal/progress.hpp"
 
 #include <array>
 #include <utility>
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Checks axis lists or machine files and writes a coefficient image for each. With errors nothing is written, and
-an old image stays as it is.)",
-    R"(Prüft Achslisten oder Maschinendateien und schreibt je eines ihr Koeffizientenabbild. Bei Fehlern wird nichts
-geschrieben, ein altes Abbild bleibt unverändert.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc compile machine.json -o mill.axim
-  axisc compile x.lis -o x.axim --cycle-time 250us
-  axisc compile machine.json -o mill.axim --strip --image-version 7
-  axisc compile machine.json -o mill.axim --depfile mill.d
-  axisc compile plant/ --output-folder images     plant/a/x.lis becomes images/plant/a/x.axim
-  axisc compile @lists.txt --output-folder images --depfile images.d
-
-An image that would not change is left untouched, so that build systems rebuild nothing that depends on it.
-Equal inputs give the same bytes, wherever they are. Findings go to standard error.
-
-Exit status: 0 written, 1 errors (or warnings with --werror), 2 something could not be read or written.)",
-                            R"(Beispiele:
-  axisc compile maschine.json -o fraese.axim
-  axisc compile x.lis -o x.axim --cycle-time 250us
-  axisc compile maschine.json -o fraese.axim --strip --image-version 7
-  axisc compile maschine.json -o fraese.axim --depfile fraese.d
-  axisc compile werk/ --output-folder abbilder    werk/a/x.lis wird abbilder/werk/a/x.axim
-  axisc compile @listen.txt --output-folder abbilder --depfile abbilder.d
-
-Ein Abbild, das sich nicht ändern würde, bleibt unberührt; Build-Systeme bauen dann nichts davon Abhängiges neu.
-Gleiche Eingaben ergeben dieselben Bytes, wo immer sie liegen. Befunde gehen auf die Standardfehlerausgabe.
-
-Rückgabewert: 0 geschrieben, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht les- oder schreibbar.)"};
 constexpr Sentence compiled{"{file}: written, axes: {axes}, filters: {filters}, {bytes} bytes",
                             "{file}: geschrieben, Achsen: {axes}, Filter: {filters}, {bytes} Bytes"};
 
@@ -116,7 +87,7 @@ class Compile {
                          .baseline = {},
                          .write_baseline = false,
                          .identity_paths = &identity_paths_},
-                        streams_.err);
+                        [this](std::string_view text) { streams_.err.write(text); });
     if (!options_.checking.quiet) streams_.err.write(note_lines(notes_, job_.language));
     for (auto const& failure : name_failures_) fail(report, failure);
     compile_all(report);
@@ -249,7 +220,7 @@ class Compile {
 
 ExitStatus compile(Invocation const& invocation) {
   CompileOptions options;
-  CommandLine command_line("compile", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("compile", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_sense(command_line, options);

@@ -1,33 +1,20 @@
+#include "axisc/answers/contour/contour_formats.hpp"
+#include "axisc/answers/contour/contour_groups.hpp"
+#include "axisc/checking/path_machine.hpp"
+#include "axisc/environment/failure.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/failure.hpp"
-#include "cli/files/path_machine.hpp"
-#include "cli/formats/contour_formats.hpp"
-#include "cli/formats/contour_groups.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/contour_words.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Predicts what the filters do to a contour at constant path velocity: axis error and contour deviation at a
-corner, on a circle, on a straight line and between paths in opposite directions; the feed and the order that
-keep a tolerance. FIR and HSC filters are on, as after #FILTER ON.)",
-    R"(Sagt vorher, was die Filter bei konstanter Bahngeschwindigkeit mit einer Kontur machen: Achsfehler und
-Bahnabweichung an einer Ecke, auf einem Kreis, auf einer Geraden und zwischen gegenläufigen Bahnen; Vorschub
-und Ordnung, die eine Toleranz einhalten. FIR- und HSC-Filter sind an, wie nach #FILTER ON.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc contour machine.json --feed 4000
-  axisc contour machine.json --feed 1000,2000,4000 --order 20,40,80
-  axisc contour machine.json --feed 4000 --tolerance 0.001 --angle 60 --format json)",
-                            R"(Beispiele:
-  axisc contour maschine.json --feed 4000
-  axisc contour maschine.json --feed 1000,2000,4000 --order 20,40,80
-  axisc contour maschine.json --feed 4000 --tolerance 0.001 --angle 60 --format json)"};
 constexpr Sentence feed_above_limit{
     "axis {axis} cannot move at {feed} mm/min; its vb_max (P-AXIS-00212) is {limit} mm/min",
     "Achse {axis} kann nicht mit {feed} mm/min fahren; ihr vb_max (P-AXIS-00212) ist {limit} mm/min"};
@@ -48,6 +35,7 @@ enum class Format : std::uint8_t { text, csv, json };
 struct ContourOptions {
   std::optional<std::string> machine, cycle_time, filter, group;
   ContourWords words;
+  bool alone = false;
   Format format = Format::text;
 };
 
@@ -57,6 +45,7 @@ void declare(CommandLine& command_line, ContourOptions& options) {
   command_line.value("--filter", "COMMAND", options.filter, says::option_filter);
   command_line.value("--group", "NAME", options.group, says::option_group);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
   command_line.choice("--format", {{"text", Format::text}, {"csv", Format::csv}, {"json", Format::json}},
                       options.format, says::option_format);
 }
@@ -85,17 +74,19 @@ void remark_feeds(machine::Machine const& machine, machine::MachineGroup const& 
 
 ExitStatus contour(Invocation const& invocation) {
   ContourOptions options;
-  CommandLine command_line("contour", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("contour", invocation.language);
   declare(command_line, options);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");
   auto const wanted = read_contour_words(options.words);
-  auto const checked = checked_machine(*options.machine, options.cycle_time, invocation,
-                                       use_color(command_line.color(), system::Stream::error));
+  auto const checked = checked_machine(
+      {.input = *options.machine, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
+      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!checked) return ExitStatus::findings;
   auto const& machine = checked->machine;
-  auto const first = chosen_group(machine, options.group, *options.machine);
+  auto const& chosen = options.group ? options.group : checked->group;
+  auto const first = chosen_group(machine, chosen, *options.machine);
 
   ShownContour shown{.cycle_time_us = machine.cycle_time.microseconds(),
                      .angle_deg = wanted.angle_deg,
@@ -110,7 +101,7 @@ ExitStatus contour(Invocation const& invocation) {
                               : filters_on();
     shown.groups.push_back(predict_contour(
         {.machine = machine, .group = i, .commands = commands, .path = *options.machine}, wanted));
-    if (options.group) break;
+    if (chosen) break;
   }
   switch (options.format) {
     case Format::text:

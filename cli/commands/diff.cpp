@@ -1,39 +1,19 @@
+#include "axisc/answers/difference/diff_formats.hpp"
+#include "axisc/answers/difference/machine_difference.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/files/path_identity.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/comparison/machine_difference.hpp"
-#include "cli/files/path_identity.hpp"
-#include "cli/formats/diff_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
 
 #include <map>
 #include <memory>
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Compares two machines, lists or images, or two axes of one machine: which axes there are, which channel they belong
-to, which parameters mean something else, where they are set, what needs a restart of the control, and what that does
-to the axes: delay, settling time, gain at the characteristic frequencies, deviation at a corner.
-Axes are paired by their number (kopf.achs_nr), else by name. Effective values are compared: internal default, default
-list, axis list. What one side sets to the default of the other is equal.)",
-    R"(Vergleicht zwei Maschinen, Listen oder Abbilder oder zwei Achsen einer Maschine: welche Achsen es gibt, zu welchem
-Kanal sie gehören, welche Parameter etwas anderes bedeuten, wo sie stehen, was einen Neustart der Steuerung braucht und
-was das mit den Achsen macht: Verzögerung, Einschwingzeit, Verstärkung bei den Kennfrequenzen, Abweichung an einer Ecke.
-Achsen gehören über ihre Nummer (kopf.achs_nr) zusammen, sonst über den Namen. Verglichen werden wirksame Werte:
-interner Standardwert, Standardliste, Achsliste. Was eine Seite auf den Standardwert der anderen setzt, ist gleich.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc diff old/listen/ new/listen/
-  axisc diff listen/ --axis X --axis Y
-  axisc diff x.lis.orig x.lis --cycle-time 1ms
-  axisc diff running.axim machine.json --format markdown)",
-                            R"(Beispiele:
-  axisc diff alt/listen/ neu/listen/
-  axisc diff listen/ --axis X --axis Y
-  axisc diff x.lis.orig x.lis --cycle-time 1ms
-  axisc diff laufend.axim maschine.json --format markdown)"};
 constexpr Sentence argument_diff{
     "two folders, start-up lists, machine files, lists or images, also mixed; or one, with two axes",
     "zwei Ordner, Hochlauflisten, Maschinendateien, Listen oder Abbilder, auch gemischt; oder eins mit zwei "
@@ -141,9 +121,10 @@ void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& aft
 std::optional<Sides> load_sides(DiffOptions const& options, CheckJob job, Invocation const& invocation,
                                 bool color) {
   Sides sides;
-  sides.before = compared_machine(options.inputs.front(), job, invocation, color);
-  sides.after = options.inputs.size() == 1 ? sides.before
-                                           : compared_machine(options.inputs.back(), job, invocation, color);
+  sides.before = compared_machine(options.inputs.front(), job, printed_errors(invocation, color));
+  sides.after = options.inputs.size() == 1
+                    ? sides.before
+                    : compared_machine(options.inputs.back(), job, printed_errors(invocation, color));
   if (!sides.before || !sides.after) return std::nullopt;
   warn_of_same_list(*sides.before, *sides.after, invocation);
   // A list alone does not say its NC cycle time: that of the other side counts.
@@ -151,7 +132,7 @@ std::optional<Sides> load_sides(DiffOptions const& options, CheckJob job, Invoca
   auto& unknown = sides.before->cycle_time_known ? sides.after : sides.before;
   if (known.cycle_time_known && !unknown->cycle_time_known && unknown->image && unknown->input != "-") {
     job.options.cycle_time = known.cycle_time;
-    unknown = compared_machine(unknown->input, job, invocation, color);
+    unknown = compared_machine(unknown->input, job, printed_errors(invocation, color));
   }
   return sides;
 }
@@ -177,7 +158,7 @@ void require_two_sides(CommandLine const& command_line, DiffOptions const& optio
 
 ExitStatus diff(Invocation const& invocation) {
   DiffOptions options;
-  CommandLine command_line("diff", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("diff", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_two_sides(command_line, options);

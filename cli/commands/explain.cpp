@@ -1,12 +1,12 @@
-#include "cli/codes.hpp"
+#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/asked/finding_codes.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/settings/settings.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/failure.hpp"
-#include "cli/formats/explain_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/finding_codes.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/settings/settings.hpp"
 #include "configuration/list_kind.hpp"
 #include "diagnostics/ascii.hpp"
 #include "schema/closest_word.hpp"
@@ -24,27 +24,6 @@ constexpr Sentence unknown_subject_meant{
     "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon; "
     "war "
     "{meant} gemeint?"};
-constexpr Sentence purpose{
-    "Prints the page of a code, what a parameter of a list means, or which findings foretell a message "
-    "of the control.",
-    "Zeigt die Seite zu einem Code, was ein Parameter einer Liste bedeutet, oder welche Befunde eine "
-    "Meldung der Steuerung vorhersagen."};
-constexpr Sentence examples{R"(Examples:
-  axisc explain AX3005
-  axisc explain P-AXIS-00140
-  axisc explain 'filter[0].order'
-  axisc explain P-CHAN-00035             parameters of all kinds of lists
-  axisc explain vb_max                   every parameter with this word in its name
-  axisc explain 50557                    the findings that foretell this message of the control
-  axisc explain --all > rules.md)",
-                            R"(Beispiele:
-  axisc explain AX3005
-  axisc explain P-AXIS-00140
-  axisc explain 'filter[0].order'
-  axisc explain P-CHAN-00035             Parameter aller Arten von Listen
-  axisc explain vb_max                   alle Parameter mit diesem Wort im Namen
-  axisc explain 50557                    die Befunde, die diese Meldung der Steuerung vorhersagen
-  axisc explain --all --lang de > regeln.md)"};
 constexpr Sentence argument_subject{
     "a code (AX3005), its name, a number (P-AXIS-00140), a parameter (filter[0].order), a part of one, or a "
     "message number of the control",
@@ -222,7 +201,7 @@ ExitStatus explain(Invocation const& invocation) {
   std::optional<std::string> word;
   bool all = false;
   Format format = Format::markdown;
-  CommandLine command_line("explain", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("explain", invocation.language);
   command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER|MESSAGE|WORD", word, says::argument_subject);
   command_line.flag("--all", all, says::option_all);
   command_line.choice("--format", {{"markdown", Format::markdown}, {"json", Format::json}}, format,

@@ -1,19 +1,20 @@
-#include "cli/checking/ordered_work.hpp"
-#include "cli/codes.hpp"
+#include "axisc/checking/ordered_work.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/path_identity.hpp"
+#include "axisc/settings/settings.hpp"
+#include "axisc/workspace/changeable_files.hpp"
+#include "axisc/workspace/inputs.hpp"
+#include "axisc/workspace/machine_outline.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/files/changeable_files.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/files/named_files.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/path_identity.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/inputs.hpp"
-#include "cli/options/machine_outline.hpp"
-#include "cli/sentences.hpp"
-#include "cli/settings/settings.hpp"
+#include "cli/options/named_files.hpp"
+#include "cli/options/sentences.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/xml_names.hpp"
+#include "diagnostics/ascii.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "system/file.hpp"
 #include "system/path.hpp"
@@ -25,31 +26,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Aligns the values and comments of axis lists. Order, comments, line ends and encoding stay, and what a list
-means never changes. Lines that cannot be read stay untouched. A file is replaced as a whole: other hard links to it
-keep the old text.)",
-    R"(Richtet Werte und Kommentare von Achslisten aus. Reihenfolge, Kommentare, Zeilenenden und Zeichencodierung
-bleiben, und was eine Liste bedeutet, ändert sich nie. Nicht lesbare Zeilen bleiben unberührt. Eine Datei wird als
-Ganzes ersetzt: andere Hardlinks auf sie behalten den alten Text.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc fmt x.lis                        aligns the list in place
-  axisc fmt machine.json                 the lists of a machine that are in its folder or below
-  axisc fmt Project.tsproj               the axis lists inside a TwinCAT project
-  axisc fmt --check axes/                for pipelines: writes nothing
-  axisc fmt @lists.txt -j 4              the lists that a file names, four at a time
-  axisc fmt - < x.lis                    to standard output
-
-Exit status: 0 done, 1 --check found a list to align, 2 something could not be read or written.)",
-                            R"(Beispiele:
-  axisc fmt x.lis                        richtet die Liste an Ort und Stelle aus
-  axisc fmt maschine.json                die Listen einer Maschine in deren Ordner oder darunter
-  axisc fmt Projekt.tsproj               die Achslisten in einem TwinCAT-Projekt
-  axisc fmt --check achsen/              für Pipelines: schreibt nichts
-  axisc fmt @listen.txt -j 4             die Listen, die eine Datei nennt, vier zugleich
-  axisc fmt - < x.lis                    auf die Standardausgabe
-
-Rückgabewert: 0 erledigt, 1 --check fand eine Liste zum Ausrichten, 2 etwas war nicht les- oder schreibbar.)"};
 constexpr Sentence option_check{"write nothing; exit status 1 when a list would change",
                                 "nichts schreiben; Rückgabewert 1, wenn sich eine Liste ändern würde"};
 constexpr Sentence option_diff{"print a patch instead of writing", "einen Patch zeigen, statt zu schreiben"};
@@ -74,7 +50,7 @@ namespace {
 
 /// NC programs are not lists, and XML is not aligned: their layout is up to their author.
 bool keeps_layout(std::string const& path) {
-  return has_extension(path, ".nc") || configuration::is_xml_name(path);
+  return ascii::has_extension(path, ".nc") || configuration::is_xml_name(path);
 }
 
 struct FmtOptions {
@@ -96,7 +72,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     if (known.insert(identities.of(list)).second) lists.push_back(std::move(list));
   };
   for (auto const& input : inputs) {
-    if (has_extension(input, ".nc")) continue;
+    if (ascii::has_extension(input, ".nc")) continue;
     auto const outline = outline_of(input);
     if (!outline.is_machine || configuration::is_project_name(input)) {
       add(input);
@@ -104,7 +80,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     }
     auto const folder = system::path_of(input).parent_path();
     for (auto const& named : outline.lists) {
-      if (keeps_layout(named) || has_extension(named, ".json")) continue;
+      if (keeps_layout(named) || ascii::has_extension(named, ".json")) continue;
       add(system::name_of(folder / system::path_of(named)));
     }
   }
@@ -201,7 +177,7 @@ Formatted format_list(std::string const& path, std::string const& name, FmtOptio
 
 ExitStatus fmt(Invocation const& invocation) {
   FmtOptions options;
-  CommandLine command_line("fmt", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("fmt", invocation.language);
   command_line.arguments("INPUT...", options.named, says::argument_inputs);
   command_line.value("--stdin-filename", "NAME", options.stdin_filename, says::option_stdin_filename);
   declare_hook(command_line, options.hook);

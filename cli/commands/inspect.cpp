@@ -1,9 +1,9 @@
-#include "cli/codes.hpp"
+#include "axisc/answers/inspect/inspect_formats.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/key_file.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/key_file.hpp"
-#include "cli/formats/inspect_formats.hpp"
 #include "cli/options/command_line.hpp"
 
 namespace axisc::cli::says {
@@ -24,18 +24,6 @@ constexpr Sentence signature{
 
 constexpr Sentence stripped{"{file} was compiled with --strip: it does not contain its lists",
                             "{file} wurde mit --strip übersetzt: das Abbild enthält seine Listen nicht"};
-constexpr Sentence purpose{
-    "Shows what is in a coefficient image: axes, filters, sections, delays, poles, gains, sources.",
-    R"(Zeigt, was in einem Koeffizientenabbild steht: Achsen, Filter, Abschnitte, Verzögerungen, Pole, Verstärkungen,
-Quellen.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc inspect mill.axim
-  axisc inspect mill.axim --axis X --as-list > x-as-compiled.lis
-  axisc inspect mill.axim --format json --memory host)",
-                            R"(Beispiele:
-  axisc inspect fraese.axim
-  axisc inspect fraese.axim --axis X --as-list > x-wie-uebersetzt.lis
-  axisc inspect fraese.axim --format json --memory host)"};
 constexpr Sentence option_public_key{
     "check the signature with this public key; exit status 2 if it is not valid",
     "die Signatur mit diesem öffentlichen Schlüssel prüfen; Rückgabewert 2, wenn sie nicht gültig ist"};
@@ -94,7 +82,7 @@ ExitStatus inspect(Invocation const& invocation) {
   Format format = Format::text;
   Target target = Target::none;
   bool as_list = false;
-  CommandLine command_line("inspect", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("inspect", invocation.language);
   command_line.argument("IMAGE.axim", path, says::argument_image);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, format,
                       says::option_format);

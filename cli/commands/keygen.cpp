@@ -1,19 +1,10 @@
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/key_file.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/failure.hpp"
-#include "cli/files/key_file.hpp"
 #include "cli/options/command_line.hpp"
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Makes a pair of Ed25519 keys: KEY is secret, readable by its owner alone, and signs images; KEY.pub is public
-and what controllers and `axisc inspect --key` check signatures with. Nothing is overwritten.)",
-    R"(Erzeugt ein Ed25519-Schlüsselpaar: SCHLÜSSEL ist geheim, nur für den Eigentümer lesbar, und signiert Abbilder;
-KEY.pub ist öffentlich, mit ihm prüfen Steuerungen und `axisc inspect --key`. Nichts wird überschrieben.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc keygen plant.key)",
-                            R"(Beispiele:
-  axisc keygen werk.key)"};
 constexpr Sentence keys_made{
     "{file}: secret key, to be kept safe; {file}.pub: public key {key}",
     "{file}: geheimer Schlüssel, sicher zu verwahren; {file}.pub: öffentlicher Schlüssel {key}"};
@@ -27,7 +18,7 @@ namespace axisc::cli {
 
 ExitStatus keygen(Invocation const& invocation) {
   std::optional<std::string> path;
-  CommandLine command_line("keygen", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("keygen", invocation.language);
   command_line.argument("KEY", path, says::argument_new_key);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(path.has_value(), "KEY");

@@ -1,19 +1,19 @@
-#include "cli/checking/check_input.hpp"
-#include "cli/checking/fixing.hpp"
-#include "cli/checking/identity_paths.hpp"
-#include "cli/checking/ordered_work.hpp"
+#include "axisc/checking/check_input.hpp"
+#include "axisc/checking/fixing.hpp"
+#include "axisc/checking/identity_paths.hpp"
+#include "axisc/checking/ordered_work.hpp"
+#include "axisc/checking/report_context.hpp"
+#include "axisc/checking/report_stream.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
+#include "axisc/workspace/changed_inputs.hpp"
+#include "axisc/workspace/judged_inputs.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/files/named_files.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
-#include "cli/options/changed_inputs.hpp"
 #include "cli/options/lint_options.hpp"
-#include "cli/report/progress.hpp"
-#include "cli/report/report_context.hpp"
-#include "cli/report/report_stream.hpp"
+#include "cli/options/named_files.hpp"
+#include "cli/terminal/progress.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
-#include "editor/machine_context.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
@@ -21,47 +21,14 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    "Checks axis lists, machine files and NC programs and prints what is wrong, and what the control would "
-    "do.",
-    "Prüft Achslisten, Maschinendateien und NC-Programme und zeigt, was falsch ist und was die Steuerung "
-    "täte."};
-constexpr Sentence examples{R"(Examples:
-  axisc lint x.lis --cycle-time 1ms      one axis
-  axisc lint machine.json                all axes of a machine together
-  axisc lint axes/                       every list and machine file in a folder
-  axisc lint x.lis --format json         for other programs, jsonl one finding a line; sarif, github and
-                                         gitlab for code hosts
-  axisc lint x.lis --fix                 applies the fixes that change nothing for the machine
-  axisc lint x.lis --fix=all --diff      shows all fixes as a patch
-  axisc lint . --write-baseline known.json
-  axisc lint . --baseline known.json     only what is new since then
-  axisc lint --changed-since origin/main what differs from a revision of git, below the working folder
-  axisc lint - --stdin-filename axes/x.lis    the text of an editor, judged in the machine of the file
-  axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL after each
-
-A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next;
-`# axisc: allow-file AX3005` silences it in the whole file.
-
-Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something could not be read.)",
-                            R"(Beispiele:
-  axisc lint x.lis --cycle-time 1ms      eine Achse
-  axisc lint maschine.json               alle Achsen einer Maschine zusammen
-  axisc lint achsen/                     jede Liste und Maschinendatei eines Ordners
-  axisc lint x.lis --format json         für andere Programme, jsonl je Befund eine Zeile; sarif, github und
-                                         gitlab für Code-Plattformen
-  axisc lint x.lis --fix                 korrigiert, was für die Maschine nichts ändert
-  axisc lint x.lis --fix=all --diff      zeigt alle Korrekturen als Patch
-  axisc lint . --write-baseline bekannt.json
-  axisc lint . --baseline bekannt.json   nur, was seitdem neu ist
-  axisc lint --changed-since origin/main was sich von einer Revision von git unterscheidet, im Arbeitsordner
-  axisc lint - --stdin-filename achsen/x.lis    der Text eines Editors: Einstellungen und Meldungen wie bei der Datei
-  axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL danach
-
-Ein Kommentar `# axisc: allow AX3005` in einer Liste unterdrückt einen Code in seiner Zeile oder, allein in
-einer Zeile, in der nächsten; `# axisc: allow-file AX3005` in der ganzen Datei.
-Rückgabewert: 0 keine Fehler, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht lesbar.)"};
-
+constexpr Sentence judged_in{
+    "{file}{more} was judged in {machine}, which names it; --alone judges it by itself",
+    "{file}{more} wurde in {machine} beurteilt, wo die Datei genannt ist; --alone beurteilt sie für sich"};
+constexpr Sentence judged_in_with_errors{
+    "{file}{more} was judged in {machine}, which has errors in other files: {errors}; `axisc lint {machine}` "
+    "shows them",
+    "{file}{more} wurde in {machine} beurteilt; dort haben andere Dateien Fehler: {errors}; `axisc lint "
+    "{machine}` zeigt sie"};
 constexpr Sentence nothing_changed{"nothing to check: no input differs from {revision}",
                                    "nichts zu prüfen: keine Eingabe unterscheidet sich von {revision}"};
 
@@ -116,6 +83,7 @@ class Lint {
 
   [[nodiscard]] ExitStatus run() {
     read_standard_input();
+    find_machines();
     prepare();
     if (options_.write_baseline) protect(inputs_.sources);
     auto plan = report_plan();
@@ -125,10 +93,14 @@ class Lint {
     }
     // Standard output is used for the patch or the fixed standard input.
     bool const out_is_taken = options_.diff || fixed_standard_input_;
-    ReportStream report(std::move(plan), out_is_taken ? streams_.err : streams_.out);
+    Console& printed = out_is_taken ? streams_.err : streams_.out;
+    ReportStream report(std::move(plan), [&printed](std::string_view text) { printed.write(text); });
     for (auto const& failure : inputs_.failures) fail(report, failure);
     check(report);
     report.finish(fixes_, [this](Code code) { return is_judged(options_, job_.options, code); });
+    if (!machine_notes_.empty()) {
+      streams_.err.write(note_lines(machine_notes_, report_format_.write.language));
+    }
     if (inputs_.paths.empty()) say_nothing_changed();
     if (options_.write_baseline) write_baseline(report);
     return status_of(report);
@@ -146,6 +118,13 @@ class Lint {
   void read_standard_input() {
     if (!options_.stdin_filename) return;
     job_.edited.emplace(standard_input_, read_whole("-"));
+  }
+
+  void find_machines() {
+    if (options_.alone) return;
+    EditedFiles files(job_.edited, false);
+    judge_in_machines(inputs_, files, [this](std::string const& path) { return options_for(job_, path); });
+    job_.shown = inputs_.shown;
   }
 
   [[nodiscard]] bool is_standard_input(std::string const& path) const { return path == standard_input_; }
@@ -204,26 +183,31 @@ class Lint {
              [&](std::size_t i, CheckedInput&& input) {
                if (input.failure) fail(report, *input.failure);
                report.add(input);
+               say_machine(paths[i], input);
                progress.show(i + 1, paths.size());
              },
          .weight = weight_of},
         threads);
   }
 
-  /// An editor's text is judged in the machine that its file belongs to. Fixes are made in the text alone.
-  [[nodiscard]] bool is_text_of_machine(std::string const& path) const {
-    return options_.stdin_filename && is_standard_input(path) && choice_ == FixChoice::none;
+  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const* take) const {
+    EditedFiles files(job_.edited, path == "-");
+    return check_input(job_, path, files, take);
   }
 
-  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const* take) const {
-    bool const belongs_to_machine = is_text_of_machine(path);
-    EditedFiles files(job_.edited, path == "-" && !belongs_to_machine);
-    if (!belongs_to_machine) return check_input(job_, path, files, take);
-    CheckJob job = job_;
-    auto const machine = editor::machine_of(
-        files, standard_input_, [this](std::string const& name) { return options_for(job_, name); });
-    if (machine != standard_input_) job.shown = standard_input_;
-    return check_input(job, machine, files, take);
+  /// Who names a list reads what the list is judged by, and that there is more to mend.
+  void say_machine(std::string const& path, CheckedInput const& input) {
+    auto const shown = inputs_.shown.find(path);
+    bool const is_for_people = report_format_.format == FindingFormat::text && !options_.checking.quiet;
+    if (shown == inputs_.shown.end() || !is_for_people || options_.stdin_filename) return;
+    auto const& names = shown->second;
+    auto const errors = input.elsewhere.errors;
+    machine_notes_.push_back(
+        {.sentence = errors == 0 ? says::judged_in : says::judged_in_with_errors,
+         .arguments = {{"machine", path},
+                       {"file", names.front()},
+                       {"more", names.size() == 1 ? std::string() : " +" + std::to_string(names.size() - 1)},
+                       {"errors", std::to_string(errors)}}});
   }
 
   [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
@@ -281,6 +265,7 @@ class Lint {
   std::string standard_input_ = "-";  ///< the name that the input has
   FixChoice choice_ = FixChoice::none;
   std::optional<FixFacts> fixes_;
+  std::vector<Message> machine_notes_;
   bool would_change_ = false;
   bool fixed_standard_input_ = false;
   bool failed_ = false;
@@ -290,7 +275,7 @@ class Lint {
 
 ExitStatus lint(Invocation const& invocation) {
   LintOptions options;
-  CommandLine command_line("lint", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("lint", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   if (options.changed_since && options.named.empty()) options.named = {"."};

@@ -1,6 +1,6 @@
-#include "cli/commands/commands.hpp"
-#include "cli/commands/editor_session.hpp"
-#include "cli/failure.hpp"
+#include "cli/commands/lsp.hpp"
+
+#include "axisc/environment/failure.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "editor/framing.hpp"
@@ -15,24 +15,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    "Shows findings, fixes and the meaning of parameters in an editor: a language server on standard input "
-    "and output, "
-    "started by the editor.",
-    "Zeigt Befunde, Korrekturen und die Bedeutung von Parametern im Editor: ein Language-Server auf "
-    "Standardein- und "
-    "-ausgabe, den der Editor startet."};
-constexpr Sentence examples{
-    R"(Example:
-  axisc lsp                              see docs/editors.md for the settings of editors
-  axisc lsp --cycle-time 2ms --lang de   what the editor's settings say
-
-Exit status: 0 ended by the editor, 1 without a shutdown request, 2 input that is not of the protocol.)",
-    R"(Beispiel:
-  axisc lsp                              Einstellungen der Editoren: docs/editors.md
-  axisc lsp --cycle-time 2ms --lang en   was in den Einstellungen des Editors steht
-
-Rückgabewert: 0 vom Editor beendet, 1 ohne Anfrage nach dem Herunterfahren, 2 Eingabe, die nicht zum Protokoll gehört.)"};
 constexpr Sentence no_frame{
     "standard input is not what an editor sends: a message of the language server protocol begins with "
     "Content-Length: BYTES (at most {most}) and an empty line; let the editor start axisc lsp",
@@ -44,12 +26,12 @@ constexpr Sentence no_frame{
 
 namespace axisc::cli {
 
-std::unique_ptr<EditorSession> editor_session(Invocation const& invocation) {
-  CommandLine command_line("lsp", says::purpose, says::examples, invocation.language);
+std::unique_ptr<editor::Session> editor_session(Invocation const& invocation) {
+  CommandLine command_line("lsp", invocation.language);
   CheckingOptions given;
   declare_control(command_line, given);
   if (command_line.answers(invocation)) return nullptr;
-  return std::make_unique<EditorSession>(check_options(given), invocation.language);
+  return std::make_unique<editor::Session>(check_options(given), invocation.language);
 }
 
 ExitStatus lsp(Invocation const& invocation) {

@@ -1,30 +1,17 @@
+#include "axisc/answers/machine/machine_formats.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/workspace/inputs.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/formats/machine_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/inputs.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 
 #include <algorithm>
 #include <variant>
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Shows the machine as it was understood: axes with number, list, type, drive, channel and gantry, the NC cycle
-time, the channels and the programs that run without being called, and where each was read; at the end what could not
-be read. Exit status 1 if there is such.)",
-    R"(Zeigt die Maschine, wie sie verstanden wurde: Achsen mit Nummer, Liste, Typ, Antrieb, Kanal und Gantry, die
-NC-Zykluszeit, die Kanäle und die Programme, die ohne Aufruf laufen, und wo das jeweils steht; am Ende, was sich nicht
-lesen ließ. Rückgabewert 1, wenn es so etwas gibt.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc machine listen/
-  axisc machine hochlauf.lis --format json > machine.json)",
-                            R"(Beispiele:
-  axisc machine listen/
-  axisc machine hochlauf.lis --format json > maschine.json)"};
 constexpr Sentence option_format{"output format (default: text); json is a machine file",
                                  "Ausgabeformat (Standardwert: text); json ist eine Maschinendatei"};
 constexpr Sentence argument_machine{"a folder, a start-up list, a TwinCAT project, a machine file, or a list",
@@ -52,7 +39,7 @@ ExitStatus machine(Invocation const& invocation) {
   std::optional<std::string> input;
   std::optional<std::string> cycle_time;
   Format format = Format::text;
-  CommandLine command_line("machine", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("machine", invocation.language);
   command_line.argument("INPUT", input, says::argument_machine);
   command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, format,

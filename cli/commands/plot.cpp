@@ -1,21 +1,23 @@
+#include "axisc/answers/execution/recorded_switches.hpp"
+#include "axisc/answers/execution/timed_commands.hpp"
+#include "axisc/answers/figures/compare_figure.hpp"
+#include "axisc/answers/figures/path_figure.hpp"
+#include "axisc/answers/figures/plant_figure.hpp"
+#include "axisc/answers/figures/plots.hpp"
+#include "axisc/answers/figures/plotted_groups.hpp"
+#include "axisc/asked/frequencies.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/checking/compiled_input.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/recorded_switches.hpp"
-#include "cli/files/compiled_input.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/frequencies.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/options/timed_commands.hpp"
-#include "cli/plots/compare_figure.hpp"
-#include "cli/plots/path_figure.hpp"
-#include "cli/plots/picture_output.hpp"
-#include "cli/plots/plant_figure.hpp"
-#include "cli/plots/plots.hpp"
-#include "cli/plots/plotted_groups.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/contour_words.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/picture_output.hpp"
+#include "cli/output/printed_errors.hpp"
 #include "system/path.hpp"
 
 #include <algorithm>
@@ -23,24 +25,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Draws what `response`, `run`, `contour`, `simulate` and `compare` compute: magnitude, phase and group delay over frequency, the answer to a
-step, the delay of each axis, a corner, a circle, a program's path, an axis in its position loop, a control's recording beside it. Several axes lie over one another; a single one is shown with each of
-its filters. A picture is an SVG file, the same bytes on every host; without -o it is drawn in the terminal.)",
-    R"(Zeichnet, was `response`, `run`, `contour`, `simulate` und `compare` berechnen: Betrag, Phase und Gruppenlaufzeit über der Frequenz, die
-Antwort auf einen Sprung, die Verzögerung jeder Achse, eine Ecke, einen Kreis, die Bahn eines Programms, eine Achse im Lageregelkreis, die Aufzeichnung einer Steuerung daneben. Mehrere Achsen liegen übereinander; eine
-einzelne zeigt jeden ihrer Filter. Ein Bild ist eine SVG-Datei, auf jedem Rechner dieselben Bytes; ohne -o wird es im
-Terminal gezeichnet.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc plot machine.json --axis X -o x.svg
-  axisc plot listen/ --axis X --mark 48Hz
-  axisc plot listen/ --before old/listen/ --axis X -o change.svg
-  axisc plot machine.json --kind corner --feed 1000,4000 -o corner.svg)",
-                            R"(Beispiele:
-  axisc plot maschine.json --axis X -o x.svg
-  axisc plot listen/ --axis X --mark 48Hz
-  axisc plot listen/ --before alt/listen/ --axis X -o aenderung.svg
-  axisc plot maschine.json --kind corner --feed 1000,4000 -o ecke.svg)"};
 constexpr Sentence argument_plotted{
     "a list, a machine file, a start-up list, a project, a folder with one machine, or an image",
     "eine Liste, eine Maschinendatei, eine Hochlaufliste, ein Projekt, ein Ordner mit einer Maschine oder "
@@ -112,6 +96,7 @@ struct PlotOptions {
   RecordedUnit unit = RecordedUnit::recognised;
   PictureTarget target;
   std::vector<std::string> marks, commands;
+  bool alone = false;
   Kind kind = Kind::response;
   ResponsePlot response;
   ContourWords contour;
@@ -159,6 +144,7 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},
                       options.target.format, says::option_picture_format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
 }
 
 /// "48" or "48Hz".
@@ -231,7 +217,9 @@ struct Plotted {
 
 std::optional<Plotted> plotted(PlotOptions const& options, std::string const& path,
                                Invocation const& invocation, bool color) {
-  auto input = compiled_input(path, options.cycle_time, invocation, color);
+  auto input = compiled_input(
+      {.input = path, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
+      printed_errors(invocation, color));
   if (!input) return std::nullopt;
   auto host = start_runtime(path, input->image);
   bool const at_once = options.kind != Kind::compare;
@@ -250,9 +238,10 @@ pictures::Figure contour_figure(PlotOptions const& options, InputImage const& no
       throw Failure({.sentence = says::order_of_image, .arguments = {{"file", **path}}});
     }
   }
-  auto chains = group_chains(now, options.group, wanted, *options.input);
+  auto chains = group_chains(now, options.group ? options.group : now.group(), wanted, *options.input);
   auto earlier = before != nullptr
-                     ? std::optional(group_chains(*before, options.group, wanted, *options.before))
+                     ? std::optional(group_chains(*before, options.group ? options.group : before->group(),
+                                                  wanted, *options.before))
                      : std::nullopt;
   ContourSubject const subject{.now = chains,
                                .before = earlier ? &*earlier : nullptr,
@@ -283,9 +272,10 @@ std::pair<std::size_t, std::size_t> plane_of(std::optional<std::string> const& w
 }
 
 /// None after mistakes in the program, which are printed.
-std::optional<pictures::Figure> followed_path(PlotOptions const& options, machine::Machine machine,
-                                              Invocation const& invocation) {
-  auto const group = chosen_group(machine, options.group, *options.input);
+std::optional<pictures::Figure> followed_path(PlotOptions const& options, CheckedMachine const& checked,
+                                              Invocation const& invocation, bool color) {
+  auto machine = checked.machine;
+  auto const group = chosen_group(machine, options.group ? options.group : checked.group, *options.input);
   std::vector<std::string> axes;
   for (auto const axis : machine.groups[group].axes) axes.push_back(machine.axes[axis].name);
   auto const plane = plane_of(options.plane, axes);
@@ -299,15 +289,12 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, machin
     constexpr double um_per_mm = 1000;
     *tolerance *= um_per_mm;
   }
-  ProgramRequest const request{.machine_path = *options.input,
-                               .program_path = *options.program,
-                               .group = options.group,
-                               .output = std::nullopt};
+  ProgramRequest const request{.machine_path = *options.input, .program_path = *options.program};
   ProgramLines program(request.program_path);
-  auto const problems = to_standard_error(invocation);
-  if (!survey_program(program, request, machine, group, invocation.language, problems)) return std::nullopt;
+  auto const problems = printed_problems(invocation, color);
+  if (!survey_program(program, request, machine, group, problems)) return std::nullopt;
   PathRecorder recorder(plane.first, plane.second);
-  static_cast<void>(follow_program(program, request, machine, group, recorder, invocation.language));
+  static_cast<void>(follow_program(program, request, machine, group, recorder));
   return path_figure(recorder,
                      {.program = system::name_of(system::path_of(*options.program).filename()),
                       .axes = {axes[plane.first], axes[plane.second]},
@@ -320,7 +307,7 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, machin
 
 ExitStatus plot(Invocation const& invocation) {
   PlotOptions options;
-  CommandLine command_line("plot", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("plot", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
@@ -340,21 +327,20 @@ ExitStatus plot(Invocation const& invocation) {
   if (options.before && !before) return ExitStatus::findings;
 
   auto const& contents = now->input.image.contents;
+  auto const& named_axis = options.axis ? options.axis : now->input.axis();
   pictures::Figure figure;
   if (options.kind == Kind::plant) {
     auto const& machine = machine_of(options, now->input, "plant");
-    auto const run = run_plant({.machine_path = *options.input,
-                                .plant_path = *options.plant,
-                                .move = *options.move,
-                                .output = std::nullopt},
-                               machine, false);
+    auto const run =
+        run_plant({.machine_path = *options.input, .plant_path = *options.plant, .move = *options.move},
+                  machine, false);
     figure = plant_figure(run, invocation.language);
   } else if (options.kind == Kind::path) {
-    auto found = followed_path(options, machine_of(options, now->input, "path").machine, invocation);
+    auto found = followed_path(options, machine_of(options, now->input, "path"), invocation, color);
     if (!found) return ExitStatus::findings;
     figure = *std::move(found);
   } else if (options.kind == Kind::compare) {
-    auto const axis = recorded_axis(contents, options.axis, *options.input);
+    auto const axis = recorded_axis(contents, named_axis, *options.input);
     auto const commands =
         read_timed_commands(options.commands, now->input.image, *options.input, invocation.language);
     auto const found = compare_axis(contents, axis, *options.recording, options.columns, options.unit,
@@ -370,7 +356,7 @@ ExitStatus plot(Invocation const& invocation) {
         .now = {.file = now->input.image, .host = now->host},
         .before = before ? std::optional(PlottedImage{.file = before->input.image, .host = before->host})
                          : std::nullopt,
-        .axes = chosen_axes(contents, options.axis),
+        .axes = chosen_axes(contents, named_axis),
         .is_switched = !options.commands.empty(),
         .language = invocation.language};
     figure = options.kind == Kind::response ? response_figure(subject, options.response)

@@ -1,37 +1,19 @@
-#include "cli/codes.hpp"
+#include "axisc/answers/replay/replay_report.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/files/csv.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
-#include "cli/formats/replay_report.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/report/answer_output.hpp"
-#include "cli/report/csv.hpp"
+#include "cli/output/answer_output.hpp"
 
 #include <cstdint>
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Executes a controller's last cycles again, as axisrt_recorder kept them, with the image and the instruction set that
-the controller used, and compares every output bit for bit. Shows commands, resets and statuses with their cycle.)",
-    R"(Führt noch einmal aus, was axisrt_recorder von den letzten Zyklen einer Steuerung behalten hat, mit dem Abbild und dem
-Befehlssatz der Steuerung, und vergleicht jede Ausgabe Bit für Bit. Zeigt Befehle, Rücksetzen und Zustände mit ihrem
-Zyklus.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc replay mill.axim crash.axrd
-  axisc replay mill.axim crash.axrd --output crash.csv
-  axisc run mill.axim --signal ramp:1000 --cycles 5000 --record last.axrd   a recording without a controller
-
-Exit status: 0 all outputs are the same, 1 some differ, 2 something could not be read.)",
-                            R"(Beispiele:
-  axisc replay fraese.axim absturz.axrd
-  axisc replay fraese.axim absturz.axrd --output absturz.csv
-  axisc run fraese.axim --signal ramp:1000 --cycles 5000 --record ende.axrd   eine Aufzeichnung ohne Steuerung
-
-Rückgabewert: 0 alle Ausgaben sind gleich, 1 einige weichen ab, 2 etwas war nicht lesbar.)"};
 constexpr Sentence argument_recording{
     "what axisrt_recorder_dump or `axisc run --record` wrote, or - for standard input",
     "was axisrt_recorder_dump oder `axisc run --record` geschrieben hat, oder - für die Standardeingabe"};
@@ -119,7 +101,7 @@ class CycleTable {
 
 ExitStatus replay(Invocation const& invocation) {
   ReplayOptions options;
-  CommandLine command_line("replay", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("replay", invocation.language);
   command_line.argument("IMAGE.axim", options.image, says::argument_image);
   command_line.argument("RECORDING", options.recording, says::argument_recording);
   command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);

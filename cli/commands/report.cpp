@@ -1,40 +1,26 @@
-#include "cli/checking/compilable.hpp"
+#include "axisc/answers/difference/machine_difference.hpp"
+#include "axisc/answers/report/report_page.hpp"
+#include "axisc/checking/compilable.hpp"
+#include "axisc/checking/path_machine.hpp"
+#include "axisc/checking/report_format.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
+#include "axisc/workspace/inputs.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/comparison/machine_difference.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/files/named_files.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/path_machine.hpp"
-#include "cli/files/protected_files.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/inputs.hpp"
-#include "cli/options/report_format.hpp"
-#include "cli/report_page/report_page.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/contour_words.hpp"
+#include "cli/options/named_files.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
 
 #include <algorithm>
 #include <memory>
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Writes one self-contained page about a machine: what is wrong, what its lists set, what each filter does to its
-axis, delays and contours of each channel, what its programs do, and with --before every change with its effect. It opens without a network and
-without scripts, and prints on A4. After errors the page holds the findings alone.)",
-    R"(Schreibt eine eigenständige Seite über eine Maschine: was falsch ist, was ihre Listen setzen, was jeder Filter mit
-seiner Achse macht, Verzögerungen und Konturen jedes Kanals, was seine Programme machen, und mit --before jede Änderung mit ihrer Wirkung. Sie öffnet
-ohne Netz und ohne Skripte und lässt sich auf A4 drucken. Nach Fehlern enthält die Seite nur die Befunde.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc report listen/ -o report.html
-  axisc report listen/ --before old/listen/ -o change.html
-  axisc report machine.json --feed 1000,4000 --lang de -o abnahme.html)",
-                            R"(Beispiele:
-  axisc report listen/ -o bericht.html
-  axisc report listen/ --before alt/listen/ -o aenderung.html
-  axisc report maschine.json --feed 1000,4000 -o abnahme.html)"};
 constexpr Sentence argument_reported{
     "a list, a machine file, a start-up list, a project, or a folder with one machine",
     "eine Liste, eine Maschinendatei, eine Hochlaufliste, ein Projekt oder ein Ordner mit einer Maschine"};
@@ -52,6 +38,7 @@ namespace {
 
 struct ReportOptions {
   std::optional<std::string> input, before, output, cycle_time;
+  bool alone = false;
   ContourWords contour;
 };
 
@@ -61,20 +48,10 @@ void declare(CommandLine& command_line, ReportOptions& options) {
   command_line.value("--before", "OTHER", options.before, says::option_earlier);
   declare_contour_words(command_line, options.contour, ContourWords::Shown::shapes);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
 }
 
-/// Checks one input and keeps every finding.
-validator::CheckResult check_into(ReportSubject& subject, std::string const& path, CheckJob const& job,
-                                  DiskFiles& disk, SourceSet& sources) {
-  std::vector<Finding> findings;
-  auto result = validator::check(disk, path, options_for(job, path), sources,
-                                 [&findings](Finding& finding) { findings.push_back(std::move(finding)); });
-  if (result.unreadable) throw unreadable(path, *result.unreadable);
-  for (auto const& finding : findings) add_finding(subject, finding, sources);
-  return result;
-}
-
-/// The machine at `path`, and whatever else lies in a folder, in the order of `lint`. None after errors.
+/// The machine at `path`, and whatever else lies in a folder, in the order of `lint`; every finding is kept. None after errors.
 std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const& path,
                                       std::vector<std::string> const& inputs, CheckJob const& job) {
   std::optional<CheckedMachine> machine;
@@ -82,9 +59,15 @@ std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const&
   for (auto const& input : inputs) {
     auto disk = std::make_unique<DiskFiles>(input == "-");
     SourceSet sources;
-    auto result = check_into(subject, input, job, *disk, sources);
+    CheckedInput found;
+    auto judged = judge_input(job, input, *disk, found, [&](Finding&& finding, SourceSet const&) {
+      found.findings.push_back(std::move(finding));
+    });
+    if (found.failure) throw Failure(*found.failure);
+    for (auto const& finding : found.findings) add_finding(subject, finding, found.sources);
     if (input != path) continue;
-    refused = refusal(path, result, sources, subject.language);
+    auto& result = judged.result;
+    refused = refusal(path, result, found.sources, subject.language);
     if (!result.machine) continue;
     if (!refused) require_cycle_time(path, result);
     machine.emplace(CheckedMachine{
@@ -105,8 +88,8 @@ struct Earlier {
 
   /// Errors are printed.
   void read(ReportOptions const& options, CheckJob const& job, Invocation const& invocation, bool color) {
-    before = compared_machine(*options.before, job, invocation, color);
-    after = compared_machine(*options.input, job, invocation, color);
+    before = compared_machine(*options.before, job, printed_errors(invocation, color));
+    after = compared_machine(*options.input, job, printed_errors(invocation, color));
     if (!before || !after) return;
     difference.emplace(compare_machines(*before, *after, false));
     if (!before->image) return;
@@ -129,7 +112,7 @@ void write(std::string const& page, std::string const& path, Invocation const& i
 
 ExitStatus report(Invocation const& invocation) {
   ReportOptions options;
-  CommandLine command_line("report", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("report", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
@@ -149,12 +132,18 @@ ExitStatus report(Invocation const& invocation) {
                         .contour = read_contour_words(options.contour),
                         .language = invocation.language};
   if (!options.contour.feeds) subject.contour.feeds = {1000, 2000, 4000};
-  auto const path = machine_input(*options.input);
+  DiskFiles disk(*options.input == "-");
+  auto const path = machine_of_input({.input = *options.input, .alone = options.alone}, job, disk).machine;
   auto inputs =
       expand_inputs({*options.input}, [&](std::string const& file) { return settings.wants(file); });
   if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
   invocation.streams.err.write(note_lines(inputs.notes, invocation.language));
-  if (std::find(inputs.paths.begin(), inputs.paths.end(), path) == inputs.paths.end()) inputs.paths = {path};
+  bool const is_listed = std::find(inputs.paths.begin(), inputs.paths.end(), path) != inputs.paths.end();
+  if (!is_listed) {
+    inputs.paths = {path};
+    // Of a list it is the page of its machine.
+    if (path != machine_input(*options.input)) subject.input = path;
+  }
   job.found = std::move(inputs.found);
   auto const machine = checked(subject, path, inputs.paths, job);
   std::optional<ImageFile> image;

@@ -1,27 +1,12 @@
+#include "axisc/answers/execution/response_answer.hpp"
+#include "axisc/asked/frequencies.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/response_answer.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/frequencies.hpp"
-#include "cli/report/answer_output.hpp"
+#include "cli/output/answer_output.hpp"
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Frequency response of each chain, computed from the image's coefficients. Columns: axis, frequency_hz,
-magnitude, phase_rad, group_delay_s, magnitude_db, phase_deg; with --format text decibels, degrees and milliseconds.)",
-    R"(Frequenzgang jeder Filterkette, aus den Koeffizienten des Abbilds gerechnet. Spalten: axis, frequency_hz,
-magnitude, phase_rad, group_delay_s, magnitude_db, phase_deg; mit --format text Dezibel, Grad und Millisekunden.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc response mill.axim --axis X
-  axisc response mill.axim --frequencies 0,1,2.5,42
-  axisc response mill.axim --axis X --format text
-  axisc response mill.axim --port interface --format json)",
-                            R"(Beispiele:
-  axisc response fraese.axim --axis X
-  axisc response fraese.axim --frequencies 0,1,2.5,42
-  axisc response fraese.axim --axis X --format text
-  axisc response fraese.axim --port interface --format json)"};
 constexpr Sentence option_axis{"only this axis (default: all)", "nur diese Achse (Standardwert: alle)"};
 constexpr Sentence option_port{"which chain (default: setpoint)",
                                "welche Filterkette (Standardwert: setpoint)"};
@@ -40,7 +25,7 @@ ExitStatus response(Invocation const& invocation) {
   std::vector<std::string> commands;
   ResponseQuestion question;
   auto format = presentation::Format::csv;
-  CommandLine command_line("response", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("response", invocation.language);
   command_line.argument("IMAGE.axim", path, says::argument_image);
   command_line.value("--axis", "NAME", question.axis, says::option_axis);
   command_line.choice(

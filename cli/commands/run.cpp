@@ -1,16 +1,16 @@
+#include "axisc/answers/execution/execution.hpp"
+#include "axisc/answers/execution/stimulus.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/files/byte_source.hpp"
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "axisrt.h"
-#include "cli/codes.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/execution.hpp"
-#include "cli/execution/stimulus.hpp"
-#include "cli/files/byte_source.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 
 #include <memory>
 
@@ -31,27 +31,6 @@ constexpr Sentence jumps{
     "first in cycle {cycle}",
     "{count} Ausgaben bewegten sich in einem Zyklus weiter, als die größte Geschwindigkeit der Achse "
     "(P-AXIS-00212) zulässt, die erste in Zyklus {cycle}"};
-constexpr Sentence purpose{
-    R"(Executes an image through the runtime that a controller uses, one setpoint per NC cycle, and writes the
-filtered setpoints as CSV.)",
-    R"(Führt ein Abbild mit dem Laufzeitsystem aus, das auch in der Steuerung läuft, ein Sollwert je NC-Zyklus, und
-schreibt die gefilterten Sollwerte als CSV.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc run mill.axim                                     a step of 1, 256 cycles
-  axisc run mill.axim --signal sine:12.5 --amplitude 1000 --cycles 4000
-  axisc run mill.axim --signal step --port interface
-  axisc run mill.axim --input setpoints.csv --output filtered.csv
-
-Columns of a file: `X` is the position setpoint of axis X, `X.interface` its additional interface. An axis that
-the file does not name stays at rest. Signals are setpoints themselves, not distances from --reset.)",
-                            R"(Beispiele:
-  axisc run fraese.axim                                   ein Sprung auf 1, 256 Zyklen
-  axisc run fraese.axim --signal sine:12.5 --amplitude 1000 --cycles 4000
-  axisc run fraese.axim --signal step --port interface
-  axisc run fraese.axim --input sollwerte.csv --output gefiltert.csv
-
-Spalten einer Datei: `X` ist der Lagesollwert der Achse X, `X.interface` ihre Zusatzschnittstelle. Eine Achse,
-die die Datei nicht nennt, ruht. Signale sind selbst Sollwerte, nicht Abstände von --reset.)"};
 constexpr Sentence option_input{"setpoints, first line: column names; - is standard input",
                                 "Sollwerte, erste Zeile: Spaltennamen; - ist die Standardeingabe"};
 constexpr Sentence option_signal{
@@ -226,7 +205,7 @@ void report(Occurrences const& occurrences, SentenceRef text, Invocation const& 
 
 ExitStatus run(Invocation const& invocation) {
   RunOptions options;
-  CommandLine command_line("run", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("run", invocation.language);
   declare(command_line, options);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;

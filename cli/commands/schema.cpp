@@ -1,26 +1,13 @@
+#include "axisc/environment/failure.hpp"
+#include "axisc/settings/json_schema.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/failure.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/sentences.hpp"
-#include "cli/settings/json_schema.hpp"
+#include "cli/options/sentences.hpp"
 
 #include <algorithm>
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Prints the JSON schema (draft 2020-12) of a kind of file that axisc reads, or of the findings that it writes. Editors
-complete and check such files with it.)",
-    R"(Gibt das JSON-Schema (Draft 2020-12) einer Art von Dateien aus, die axisc liest, oder das der Befunde, die es schreibt.
-Editoren vervollständigen und prüfen solche Dateien damit.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc schema machine > machine.schema.json
-  axisc schema settings                  of axisc.json
-  axisc schema finding                   of a line that --format jsonl writes)",
-                            R"(Beispiele:
-  axisc schema machine > machine.schema.json
-  axisc schema settings                  von axisc.json
-  axisc schema finding                   einer Zeile, die --format jsonl schreibt)"};
 constexpr Sentence argument_file_kind{
     "machine files, settings (axisc.json), plant files, schema files, which describe parameters, or findings",
     "Maschinendateien, Einstellungen (axisc.json), Streckendateien, Schemadateien, die Parameter "
@@ -38,7 +25,7 @@ constexpr std::string_view kind_argument = "machine|settings|plant|schema|findin
 
 ExitStatus schema(Invocation const& invocation) {
   std::optional<std::string> word;
-  CommandLine command_line("schema", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("schema", invocation.language);
   command_line.argument(kind_argument, word, says::argument_file_kind);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(word.has_value(), kind_argument);

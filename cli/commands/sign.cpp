@@ -1,26 +1,13 @@
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/key_file.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/key_file.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
 #include "cli/options/command_line.hpp"
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Appends an Ed25519 signature to an image, so that controllers with the public key refuse any other image.
-A signature that the image already has is replaced.)",
-    R"(Hängt eine Ed25519-Signatur an ein Abbild an, sodass Steuerungen mit dem öffentlichen Schlüssel jedes andere
-ablehnen. Eine Signatur, die das Abbild schon hatte, wird ersetzt.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc sign mill.axim --key plant.key
-  axisc sign mill.axim --key plant.key -o mill-signed.axim
-  axisc inspect mill.axim --key plant.key.pub)",
-                            R"(Beispiele:
-  axisc sign fraese.axim --key werk.key
-  axisc sign fraese.axim --key werk.key -o fraese-signiert.axim
-  axisc inspect fraese.axim --key werk.key.pub)"};
 constexpr Sentence cli_signed{"{file}: signed with key {key}, {bytes} bytes",
                               "{file}: mit Schlüssel {key} signiert, {bytes} Bytes"};
 constexpr Sentence option_secret_key{"secret key of `axisc keygen`", "geheimer Schlüssel von `axisc keygen`"};
@@ -46,7 +33,7 @@ struct SignOptions {
 
 ExitStatus sign(Invocation const& invocation) {
   SignOptions options;
-  CommandLine command_line("sign", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("sign", invocation.language);
   command_line.argument("IMAGE.axim", options.image, says::argument_image);
   command_line.value("--key", "KEY", options.key, says::option_secret_key);
   command_line.value("-o,--output", "OUT.axim", options.output, says::option_signed_output);

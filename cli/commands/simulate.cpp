@@ -1,31 +1,17 @@
+#include "axisc/asked/quantities.hpp"
+#include "axisc/checking/path_machine.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/commands/simulate_plant.hpp"
 #include "cli/commands/simulate_program.hpp"
-#include "cli/files/path_machine.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/report/progress.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
+#include "cli/terminal/progress.hpp"
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Plans the path of an NC program within the axes' limits, executes the filters and says per block and per
-pass (from one #FILTER command to the next) how long it takes and how far the contour deviates. With --plant it
-moves one axis there and back in a closed loop and says what Improved Position Control does to the load.)",
-    R"(Plant die Bahn eines NC-Programms in den Grenzen der Achsen, führt die Filter aus und sagt je Satz und je
-Durchgang (von einem #FILTER-Befehl zum nächsten), wie lange er dauert und wie weit die Kontur abweicht. Mit --plant
-wird eine Achse im geschlossenen Regelkreis hin- und zurückgefahren und gezeigt, was die optimierte Lageregelung
-mit der Last macht.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc simulate machine.json --program part.nc
-  axisc simulate machine.json --program part.nc --output cycles.csv --format json
-  axisc simulate machine.json --plant plant.json --move X:300:20000)",
-                            R"(Beispiele:
-  axisc simulate maschine.json --program teil.nc
-  axisc simulate maschine.json --program teil.nc --output zyklen.csv --format json
-  axisc simulate maschine.json --plant strecke.json --move X:300:20000)"};
 constexpr Sentence option_program{"the NC program, or - for standard input",
                                   "das NC-Programm, oder - für die Standardeingabe"};
 constexpr Sentence option_output{"also write every NC cycle to this CSV file",
@@ -61,6 +47,7 @@ namespace {
 struct SimulateOptions {
   std::optional<std::string> machine, program, output, group, cycle_time, plant, move, most_cycles;
   SimulateFormat format = SimulateFormat::text;
+  bool alone = false;
   bool constant_velocity = false;
   bool progress = false;
   bool no_progress = false;
@@ -76,6 +63,7 @@ void declare(CommandLine& command_line, SimulateOptions& options) {
   command_line.value("--plant", "PLANT.json", options.plant, says::option_plant);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_move);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
   command_line.choice(
       "--format",
       {{"text", SimulateFormat::text}, {"csv", SimulateFormat::csv}, {"json", SimulateFormat::json}},
@@ -103,7 +91,7 @@ std::uint64_t most_cycles(SimulateOptions const& options) {
 
 ExitStatus simulate(Invocation const& invocation) {
   SimulateOptions options;
-  CommandLine command_line("simulate", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("simulate", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");
@@ -112,23 +100,24 @@ ExitStatus simulate(Invocation const& invocation) {
     throw Failure({.sentence = says::what, .arguments = {}});
   }
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto checked = checked_machine(*options.machine, options.cycle_time, invocation, color);
+  auto checked = checked_machine(
+      {.input = *options.machine, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
+      printed_errors(invocation, color));
   if (!checked) return ExitStatus::findings;
   if (closed_loop) {
-    return simulate_plant({.machine_path = *options.machine,
-                           .plant_path = *options.plant,
-                           .move = *options.move,
-                           .output = options.output,
-                           .format = options.format},
-                          *checked, invocation);
+    return simulate_plant(
+        {.request = {.machine_path = *options.machine, .plant_path = *options.plant, .move = *options.move},
+         .output = options.output,
+         .format = options.format},
+        *checked, invocation);
   }
-  return simulate_program({.machine_path = *options.machine,
-                           .program_path = *options.program,
-                           .group = options.group,
+  return simulate_program({.request = {.machine_path = *options.machine,
+                                       .program_path = *options.program,
+                                       .constant_velocity = options.constant_velocity,
+                                       .most_cycles = most_cycles(options)},
+                           .group = options.group ? options.group : checked->group,
                            .output = options.output,
                            .format = options.format,
-                           .constant_velocity = options.constant_velocity,
-                           .most_cycles = most_cycles(options),
                            .show_progress = options.progress || (!options.no_progress && progress_is_seen()),
                            .color = color},
                           *std::move(checked), invocation);

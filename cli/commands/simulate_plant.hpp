@@ -1,43 +1,22 @@
-// `axisc simulate --plant`: an axis in its closed loop, with and without Improved Position Control.
+// `axisc simulate --plant`.
 #pragma once
 
+#include "axisc/answers/simulation/plant_run.hpp"
+#include "axisc/answers/simulation/simulate_formats.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/simulate_program.hpp"
-#include "cli/files/path_machine.hpp"
-#include "cli/formats/plant_formats.hpp"
-#include "motion/closed_loop.hpp"
 
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace axisc::cli {
 
-struct PlantRequest {
-  std::string machine_path;
-  std::string plant_path;
-  std::string move;
+struct SimulatedPlant {
+  PlantRequest request;
   std::optional<std::string> output;
   SimulateFormat format = SimulateFormat::text;
 };
 
-/// What a move gave, without and with the function.
-struct PlantRun {
-  ClosedLoopFigures figures;
-  motion::LoopRecord without, with;
-  double cycle_seconds = 0;
-};
-
-/// `searches_kv`: also finds the highest Kv, which takes most of the time. Failure for a move or a plant file that cannot
-/// be used.
-[[nodiscard]] PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked,
-                                 bool searches_kv);
-
-/// The band of frequencies in which oscillations are looked for, in Hz.
-[[nodiscard]] std::pair<double, double> oscillation_band(double cycle_seconds);
-
-[[nodiscard]] ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& checked,
+[[nodiscard]] ExitStatus simulate_plant(SimulatedPlant const& asked, CheckedMachine const& checked,
                                         Invocation const& invocation);
 
 }  // namespace axisc::cli

@@ -1,24 +1,26 @@
-#include "cli/checking/compilable.hpp"
-#include "cli/checking/machine_input.hpp"
+#include "axisc/answers/execution/group_chains.hpp"
+#include "axisc/answers/suggestion/damping_formats.hpp"
+#include "axisc/answers/suggestion/measured_resonances.hpp"
+#include "axisc/answers/suggestion/resonance_words.hpp"
+#include "axisc/answers/suggestion/suggest_figure.hpp"
+#include "axisc/answers/suggestion/suggest_formats.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/checking/compilable.hpp"
+#include "axisc/checking/machine_input.hpp"
+#include "axisc/checking/path_machine.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
+#include "axisc/workspace/changeable_files.hpp"
+#include "axisc/workspace/inputs.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/group_chains.hpp"
-#include "cli/failure.hpp"
-#include "cli/files/changeable_files.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/inputs.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/plots/picture_output.hpp"
-#include "cli/sentences.hpp"
-#include "cli/suggestion/damping_formats.hpp"
-#include "cli/suggestion/measured_resonances.hpp"
-#include "cli/suggestion/resonance_words.hpp"
-#include "cli/suggestion/suggest_figure.hpp"
-#include "cli/suggestion/suggest_formats.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/picture_output.hpp"
+#include "cli/output/printed_errors.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "validator/loading/build_version.hpp"
@@ -27,30 +29,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Suggests filters for an axis whose mechanics swing at a known frequency. Every setting that the control has is
-compared by the runtime's own answer: three remain, each with what it does to vibration, delay and contour beside
-the present setting, the lines for every axis of the channel and the #FILTER command. With --plant the settings of
-Improved Position Control are compared as well, in the simulated position loop of the axis: suggestion 4.)",
-    R"(Schlägt Filter für eine Achse vor, deren Mechanik bei einer bekannten Frequenz schwingt. Jede Einstellung, die
-die Steuerung kennt, wird an der Antwort der Laufzeit selbst gemessen: drei bleiben, jede mit Schwingung, Verzögerung
-und Kontur neben der jetzigen Einstellung, den Zeilen für jede Achse des Kanals und dem #FILTER-Befehl. Mit --plant
-werden auch die Einstellungen der optimierten Lageregelung verglichen, im simulierten Lageregelkreis der Achse:
-Vorschlag 4.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc suggest machine.json --axis X --resonance 48Hz
-  axisc suggest machine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
-  axisc suggest machine.json --axis X --resonance 48Hz --apply 2 --diff
-  axisc suggest machine.json --axis X --resonance 48Hz --apply 2
-  axisc suggest machine.json --axis X --measured torque-velocity.csv
-  axisc suggest machine.json --axis X --resonance 53Hz,11Hz --plant plant.json)",
-                            R"(Beispiele:
-  axisc suggest maschine.json --axis X --resonance 48Hz
-  axisc suggest maschine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
-  axisc suggest maschine.json --axis X --resonance 48Hz --apply 2 --diff
-  axisc suggest maschine.json --axis X --resonance 48Hz --apply 2
-  axisc suggest maschine.json --axis X --measured drehmoment-geschwindigkeit.csv
-  axisc suggest maschine.json --axis X --resonance 53Hz,11Hz --plant strecke.json)"};
 constexpr Sentence option_axis{"the vibrating axis", "die Achse, die schwingt"};
 constexpr Sentence option_resonance{"up to three natural frequencies, each perhaps with its damping ratio",
                                     "bis zu drei Eigenfrequenzen, jede vielleicht mit ihrem Dämpfungsgrad"};
@@ -150,6 +128,7 @@ struct SuggestOptions {
   std::optional<std::string> machine, axis, resonance, measured, in, out, plant, tolerance, feed, radius,
       cycle_time, apply;
   bool diff = false;
+  bool alone = false;
   PictureTarget picture;
   std::optional<tuning::Goal> goal;
   Format format = Format::text;
@@ -178,6 +157,7 @@ void declare(CommandLine& command_line, SuggestOptions& options) {
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
                       says::option_format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
 }
 
 double positive(std::string const& option, std::optional<std::string> const& word, double usual) {
@@ -325,11 +305,10 @@ void apply(ListEdits const& edits, std::vector<std::string> const& findings, std
 
 ExitStatus suggest(Invocation const& invocation) {
   SuggestOptions options;
-  CommandLine command_line("suggest", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("suggest", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");
-  command_line.require(options.axis.has_value(), "--axis");
   if (options.resonance.has_value() == options.measured.has_value()) {
     throw Failure({.sentence = says::one_source, .arguments = {}});
   }
@@ -343,16 +322,18 @@ ExitStatus suggest(Invocation const& invocation) {
                       .feed = positive("--feed", options.feed, 4000),
                       .radius_mm = positive("--radius", options.radius, 10)};
 
-  auto const path = machine_input(*options.machine);
   SettingsFinder settings;
   CheckJob job;
   job.options.cycle_time = asked_cycle_time(options.cycle_time);
   job.settings = &settings;
-  DiskFiles disk(path == "-");
+  DiskFiles disk(*options.machine == "-");
+  auto const [path, list] =
+      machine_of_input({.input = *options.machine, .cycle_time = {}, .alone = options.alone}, job, disk);
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
-  auto const checked = check_machine(job, path, disk, invocation,
-                                     use_color(command_line.color(), system::Stream::error), sources, loaded);
+  auto const checked = check_machine(
+      job, path, disk, printed_errors(invocation, use_color(command_line.color(), system::Stream::error)),
+      sources, loaded);
   if (!checked) return ExitStatus::findings;
   require_cycle_time(path, *checked);
   auto const& machine = *checked->machine;
@@ -362,7 +343,9 @@ ExitStatus suggest(Invocation const& invocation) {
     if (options.plant) inputs.push_back(*options.plant);
     refuse_overwriting({*options.picture.path}, inputs);
   }
-  auto const axis = axis_named(machine, *options.axis);
+  auto const listed = axis_of_list(*loaded, sources, list);
+  command_line.require(options.axis || listed, "--axis");
+  auto const axis = options.axis ? axis_named(machine, *options.axis) : *listed;
   SuggestionSubject const subject{.path = path,
                                   .job = job,
                                   .loaded = *loaded,

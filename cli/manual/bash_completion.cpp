@@ -1,3 +1,4 @@
+#include "axisc/asked/quantities.hpp"
 #include "cli/manual/completions.hpp"
 #include "cli/options/command_line.hpp"
 

@@ -1,7 +1,7 @@
 // What shells offer after `axisc `: commands, options, the values of options that have no others, names of files.
 #pragma once
 
-#include "cli/manual/command_description.hpp"
+#include "cli/options/command_description.hpp"
 
 #include <span>
 #include <string>

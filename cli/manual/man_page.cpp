@@ -1,7 +1,8 @@
 #include "cli/manual/man_page.hpp"
 
+#include "cli/help/help_page.hpp"
 #include "cli/options/help_text.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/utf8.hpp"
 
@@ -124,8 +125,8 @@ class Page {
   }
 
   /// Paragraphs and indented examples; what --help gives a heading of its own has a section here.
-  void body(SentenceRef sentence) {
-    auto const source = help_paragraphs(say(sentence), std::numeric_limits<std::size_t>::max());
+  void body(std::string_view prose) {
+    auto const source = help_paragraphs(prose, std::numeric_limits<std::size_t>::max());
     bool is_example = false;
     for (std::string_view rest = source; !rest.empty();) {
       auto const line = rest.substr(0, rest.find('\n'));
@@ -182,6 +183,7 @@ class Page {
 std::string man_page(CommandDescription const& command, std::span<CommandDescription const> listed,
                      Edition const& edition, Language language) {
   auto const name = page_name(command);
+  auto const help = help_page(command.name, language);
   Page page(language);
   page.text = fmt::format(".\\\" Made of what --help prints.\n.TH {} 1 {} \"axisc {}\" axisc\n",
                           ascii::upper_case(name), edition.date, edition.version);
@@ -196,13 +198,13 @@ std::string man_page(CommandDescription const& command, std::span<CommandDescrip
   }
   page.text += "\n";
   page.section(says::man_description);
-  page.body(command.purpose);
+  page.body(help.purpose);
   page.rows(command.options, false);
   if (!listed.empty()) page.section(says::man_commands);
   for (auto const& row : listed) page.row({.names = row.name, .meaning = row.meaning});
   page.section(says::man_options);
   page.rows(command.options, true);
-  page.body(command.examples);
+  page.body(help.examples);
   page.section(says::man_see_also);
   if (!command.name.empty()) page.text += ".BR axisc (1)\n";
   for (auto const& row : listed) {

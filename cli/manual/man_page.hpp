@@ -1,7 +1,7 @@
 // Manual pages in the language of man(7), from what --help is made of. Pure ASCII: other characters are named.
 #pragma once
 
-#include "cli/manual/command_description.hpp"
+#include "cli/options/command_description.hpp"
 
 #include <span>
 #include <string>

@@ -1,33 +1,10 @@
 #include "cli/options/check_options.hpp"
 
-#include "cli/failure.hpp"
-#include "cli/options/finding_codes.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/sentences.hpp"
-#include "diagnostics/ascii.hpp"
-#include "diagnostics/format_number.hpp"
-#include "schema/closest_word.hpp"
-#include "validator/engine/rule.hpp"
-
-#include <algorithm>
-#include <thread>
+#include "cli/options/sentences.hpp"
+#include "schema/list_kind.hpp"
 
 namespace axisc::cli::says {
 
-constexpr Sentence bad_build{
-    "\"{value}\" is not a build of the control; write V3.1.3075.04, V2.11.2803 or V3.00.3013",
-    "\"{value}\" ist kein Stand der Steuerung; Schreibweise V3.1.3075.04, V2.11.2803 oder V3.00.3013"};
-constexpr Sentence bad_cycle_time{
-    "\"{value}\" is not a valid cycle time; write 1ms, 250us or 1000 (µs), in whole nanoseconds",
-    "\"{value}\" ist keine gültige Zykluszeit; richtig ist 1ms, 250us oder 1000 (µs), in ganzen "
-    "Nanosekunden"};
-constexpr Sentence unusual_cycle_time{
-    "{time}? A cycle time is between 20 µs and 100 ms; write {meant}",
-    "{time}? Eine Zykluszeit liegt zwischen 20 µs und 100 ms; {meant} schreiben"};
-constexpr Sentence unknown_code{"there is no code \"{code}\"; `axisc explain --all` lists them",
-                                "den Code \"{code}\" gibt es nicht; `axisc explain --all` nennt alle"};
-constexpr Sentence unknown_code_meant{"there is no code \"{code}\"; did you mean {meant}?",
-                                      "den Code \"{code}\" gibt es nicht; war {meant} gemeint?"};
 constexpr Sentence option_axis_type{
     "translatory, rotary or spindle, overriding the list (kenngr.achs_typ)",
     "translatorisch, rotatorisch oder Spindel, statt der Angabe in der Liste (kenngr.achs_typ)"};
@@ -49,6 +26,8 @@ constexpr Sentence option_jobs{
     "Threads (Standardwert: einer je Kern); die Ausgabe ist für jede Anzahl gleich"};
 constexpr Sentence option_quiet{"no notes and no summary", "keine Hinweise und keine Zusammenfassung"};
 
+constexpr Sentence option_alone{"judge a list by itself, not in the machine that names it",
+                                "eine Liste für sich beurteilen, nicht in der Maschine, die sie nennt"};
 constexpr Sentence option_schema{
     "add the parameters of FILE to those that are known, or override them (repeatable)",
     "die Parameter aus DATEI zu den bekannten hinzufügen oder diese damit überschreiben (wiederholbar)"};
@@ -56,42 +35,6 @@ constexpr Sentence option_schema{
 }  // namespace axisc::cli::says
 
 namespace axisc::cli {
-
-namespace {
-
-constexpr std::uint64_t most_threads = 1024;
-
-Code parse_code(std::string const& word) {
-  std::vector<std::string> codes;
-  if (auto const code = find_code(word)) return *code;
-  for (auto const& rule : validator::rules()) {
-    codes.push_back(code_text(rule.code));
-    codes.emplace_back(rule.name);
-  }
-  std::vector<std::string_view> const known(codes.begin(), codes.end());
-  auto const meant = schema::closest_word(word, known);
-  throw Failure({.sentence = meant.empty() ? says::unknown_code : says::unknown_code_meant,
-                 .arguments = {{"code", word}, {"meant", std::string(meant)}}});
-}
-
-machine::AxisType parse_axis_type(std::string const& word) {
-  auto const letter = ascii::upper_case(word);
-  if (letter == "T") return machine::AxisType::translatory;
-  if (letter == "R") return machine::AxisType::rotary;
-  if (letter == "S") return machine::AxisType::spindle;
-  throw Failure({.sentence = says::bad_choice,
-                 .arguments = {{"option", "--axis-type"}, {"value", word}, {"choices", "T, R, S"}}});
-}
-
-schema::ListKind parse_kind(std::string const& word) {
-  if (auto const kind = schema::find_list_kind(&schema::ListKindRow::word, word)) return *kind;
-  std::string words;
-  for (auto const& row : schema::list_kind_rows) words.append(words.empty() ? "" : ", ").append(row.word);
-  throw Failure({.sentence = says::bad_choice,
-                 .arguments = {{"option", "--kind"}, {"value", word}, {"choices", words}}});
-}
-
-}  // namespace
 
 void declare_control(CommandLine& command_line, CheckingOptions& options) {
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
@@ -121,60 +64,16 @@ void declare_checking(CommandLine& command_line, CheckingOptions& options) {
   command_line.flag("-q,--quiet", options.quiet, says::option_quiet);
 }
 
+void declare_alone(CommandLine& command_line, bool& alone) {
+  command_line.flag("--alone", alone, says::option_alone);
+}
+
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files) {
   command_line.values("--schema", "FILE", files, says::option_schema);
 }
 
 void declare_threads(CommandLine& command_line, std::optional<std::string>& threads) {
   command_line.value("-j,--jobs", "N", threads, says::option_jobs);
-}
-
-std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word) {
-  if (!word) return std::nullopt;
-  auto const time = parse_cycle_time(*word);
-  if (!time) throw Failure({.sentence = says::bad_cycle_time, .arguments = {{"value", *word}}});
-  if (*time >= design::shortest_cycle_time && *time <= design::longest_cycle_time) return time;
-  // A bare number was meant in milliseconds.
-  auto const meant = parse_cycle_time(*word + "ms");
-  bool const possible =
-      meant && *meant >= design::shortest_cycle_time && *meant <= design::longest_cycle_time;
-  throw Failure({.sentence = says::unusual_cycle_time,
-                 .arguments = {{"time", exact_number(time->microseconds()) + " µs"},
-                               {"meant", possible ? *word + "ms" : "1ms"}}});
-}
-
-validator::CheckOptions check_options(CheckingOptions const& given) {
-  validator::CheckOptions options;
-  options.pedantic = given.pedantic;
-  options.cycle_time = asked_cycle_time(given.cycle_time);
-  if (given.axis_type) options.axis_type = parse_axis_type(*given.axis_type);
-  if (given.kind) options.kind = parse_kind(*given.kind);
-  if (given.build) {
-    options.build = validator::parse_build_version(*given.build);
-    if (!options.build) throw Failure({.sentence = says::bad_build, .arguments = {{"value", *given.build}}});
-  }
-  for (auto const& list : given.disabled) {
-    for (auto const& word : split_list(list)) options.disabled.push_back(parse_code(word));
-  }
-  return options;
-}
-
-std::optional<unsigned> asked_threads(std::optional<std::string> const& threads) {
-  if (!threads) return std::nullopt;
-  auto const count = parse_count(*threads);
-  if (!count || *count == 0 || *count > most_threads) {
-    throw Failure({.sentence = says::bad_count, .arguments = {{"option", "-j"}, {"value", *threads}}});
-  }
-  return static_cast<unsigned>(*count);
-}
-
-unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks) {
-  if (asked) return *asked;
-  return tasks <= 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
-}
-
-bool objectionable(CheckingOptions const& options, FindingCounts const& counts) {
-  return counts.errors > 0 || (options.werror && counts.warnings > 0);
 }
 
 }  // namespace axisc::cli

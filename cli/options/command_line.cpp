@@ -1,11 +1,13 @@
 #include "cli/options/command_line.hpp"
 
-#include "cli/commands/commands.hpp"
-#include "cli/failure.hpp"
+#include "axisc/answers/text_table.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/environment/version.hpp"
+#include "cli/help/help_page.hpp"
 #include "cli/options/help_text.hpp"
-#include "cli/report/text_table.hpp"
-#include "cli/sentences.hpp"
-#include "cli/version.hpp"
+#include "cli/options/invocation.hpp"
+#include "cli/options/sentences.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>
@@ -105,13 +107,8 @@ struct CommandLine::Parser {
   std::vector<Declared> declared;
 };
 
-CommandLine::CommandLine(std::string_view command, SentenceRef purpose, SentenceRef examples,
-                         Language language)
-    : command_(command),
-      purpose_(purpose),
-      examples_(examples),
-      language_(language),
-      parser_(std::make_unique<Parser>()) {
+CommandLine::CommandLine(std::string_view command, Language language)
+    : command_(command), language_(language), parser_(std::make_unique<Parser>()) {
   // A path that begins with a slash is never an option.
   parser_->app.allow_windows_style_options(false);
   flag("-h,--help", wants_help_, says::option_help);
@@ -285,7 +282,7 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
 
 bool CommandLine::answers(Invocation const& invocation) {
   if (invocation.description != nullptr) {
-    *invocation.description = {.name = command_, .purpose = purpose_, .examples = examples_};
+    *invocation.description = {.name = command_};
     for (auto const& row : parser_->declared) invocation.description->options.push_back(row);
     return true;
   }
@@ -304,6 +301,7 @@ std::string CommandLine::help() const {
   auto const say = [this](SentenceRef text) {
     return render({.sentence = text, .arguments = {}}, language_);
   };
+  auto const page = help_page(command_, language_);
   auto const width = help_width();
   std::string usage = say(says::help_usage) + ": axisc " + command_ + " [" + say(says::help_options) + "]";
   std::string rows;
@@ -313,21 +311,8 @@ std::string CommandLine::help() const {
     if (row.names.empty()) usage += " " + heading;
     (row.names.empty() ? rows : options) += help_row(heading, say(row.meaning), width);
   }
-  return help_paragraphs(say(purpose_), width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
-         say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(say(examples_), width);
-}
-
-std::vector<std::string> split_list(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  while (!text.empty()) {
-    auto const comma = std::min(text.find(separator), text.size());
-    auto part = text.substr(0, comma);
-    text.remove_prefix(std::min(comma + 1, text.size()));
-    while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
-    while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
-    if (!part.empty()) parts.emplace_back(part);
-  }
-  return parts;
+  return help_paragraphs(page.purpose, width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
+         say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(page.examples, width);
 }
 
 }  // namespace axisc::cli

@@ -23,8 +23,8 @@ struct Invocation;
 
 class CommandLine {
  public:
-  /// Declares --help, --version, --lang and --color. `examples` is the last part of the help.
-  CommandLine(std::string_view command, SentenceRef purpose, SentenceRef examples, Language language);
+  /// Declares --help, --version, --lang and --color; the prose of the help is in cli/help/COMMAND.
+  CommandLine(std::string_view command, Language language);
   CommandLine(CommandLine const&) = delete;
   CommandLine& operator=(CommandLine const&) = delete;
   ~CommandLine();
@@ -88,16 +88,11 @@ class CommandLine {
   [[noreturn]] void refuse_value(std::string_view complaint) const;
 
   std::string command_;
-  SentenceRef purpose_;
-  SentenceRef examples_;
   Language language_;
   ColorChoice color_ = ColorChoice::automatic;
   bool wants_help_ = false;
   bool wants_version_ = false;
   std::unique_ptr<Parser> parser_;
 };
-
-/// "a,b,c" without blanks around the parts; empty parts are left out.
-[[nodiscard]] std::vector<std::string> split_list(std::string_view text, char separator = ',');
 
 }  // namespace axisc::cli

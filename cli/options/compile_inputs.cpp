@@ -1,9 +1,8 @@
 #include "cli/options/compile_inputs.hpp"
 
-#include "cli/options/image_names.hpp"
-#include "cli/options/machine_outline.hpp"
+#include "axisc/workspace/image_names.hpp"
 #include "cli/options/sentences.hpp"
-#include "cli/sentences.hpp"
+#include "diagnostics/ascii.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +13,7 @@ namespace {
 
 void refuse_programs(std::vector<std::string> const& paths) {
   for (auto const& path : paths) {
-    if (has_extension(path, ".nc")) {
+    if (ascii::has_extension(path, ".nc")) {
       throw Failure({.sentence = says::nc_program, .arguments = {{"file", path}}});
     }
   }
@@ -50,7 +49,7 @@ CompileInputs choose_batch(CompileOptions const& options, SettingsFinder& settin
   std::erase_if(inputs.paths, [&options](std::string const& path) {
     bool const is_named =
         std::find(options.inputs.begin(), options.inputs.end(), path) != options.inputs.end();
-    return has_extension(path, ".nc") && !is_named;
+    return ascii::has_extension(path, ".nc") && !is_named;
   });
   refuse_programs(inputs.paths);
   auto images = image_names(inputs.paths, options.input_folder.value_or(""), *options.output_folder);

@@ -1,10 +1,10 @@
 // The inputs of `axisc compile`, and the paths of their images.
 #pragma once
 
-#include "cli/failure.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/settings/settings.hpp"
+#include "axisc/workspace/inputs.hpp"
 #include "cli/options/compile_options.hpp"
-#include "cli/options/inputs.hpp"
-#include "cli/settings/settings.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "cli/options/compile_options.hpp"
 
-#include "cli/failure.hpp"
-#include "cli/options/quantities.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/environment/failure.hpp"
 #include "cli/options/sentences.hpp"
 
 #include <limits>

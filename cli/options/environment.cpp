@@ -1,12 +1,8 @@
 #include "cli/options/environment.hpp"
 
-namespace axisc::cli {
+#include "axisc/settings/language_word.hpp"
 
-std::optional<Language> parse_language(std::string_view word) {
-  if (word == "en") return Language::english;
-  if (word == "de") return Language::german;
-  return std::nullopt;
-}
+namespace axisc::cli {
 
 Language choose_language(std::span<std::string const> arguments) {
   constexpr std::string_view option = "--lang";

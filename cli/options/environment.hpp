@@ -14,9 +14,6 @@ namespace axisc::cli {
 
 enum class ColorChoice : std::uint8_t { automatic, always, never };
 
-/// "en" or "de"; none for another word.
-[[nodiscard]] std::optional<Language> parse_language(std::string_view word);
-
 /// `--lang` among the arguments, else the first of LC_ALL, LC_MESSAGES and LANG that is set, else English. Read before
 /// the other options, so that messages about them are already in that language.
 [[nodiscard]] Language choose_language(std::span<std::string const> arguments);

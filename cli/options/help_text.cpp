@@ -1,6 +1,6 @@
 #include "cli/options/help_text.hpp"
 
-#include "cli/report/text_table.hpp"
+#include "axisc/answers/text_table.hpp"
 #include "system/process.hpp"
 
 #include <algorithm>

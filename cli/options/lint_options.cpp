@@ -1,8 +1,8 @@
 #include "cli/options/lint_options.hpp"
 
-#include "cli/failure.hpp"
-#include "cli/files/named_files.hpp"
-#include "cli/sentences.hpp"
+#include "axisc/environment/failure.hpp"
+#include "cli/options/named_files.hpp"
+#include "cli/options/sentences.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <algorithm>
@@ -53,6 +53,7 @@ void declare(CommandLine& command_line, LintOptions& options) {
   declare_checking(command_line, options.checking);
   command_line.value("--stdin-filename", "NAME", options.stdin_filename, says::option_stdin_filename);
   declare_hook(command_line, options.hook);
+  declare_alone(command_line, options.alone);
   command_line.flag_with_value("--fix", "[=all]", options.fix, says::option_fix);
   command_line.flag("--diff", options.diff, says::option_diff);
   command_line.value("--changed-since", "REF", options.changed_since, says::option_changed_since);

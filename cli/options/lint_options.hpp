@@ -1,7 +1,7 @@
 // The command line of `axisc lint`.
 #pragma once
 
-#include "cli/checking/fixing.hpp"
+#include "axisc/checking/fixing.hpp"
 #include "cli/options/check_options.hpp"
 
 #include <optional>
@@ -19,6 +19,7 @@ struct LintOptions {
   std::optional<std::string> fix;
   std::optional<std::string> stdin_filename;
   bool hook = false;
+  bool alone = false;
   bool diff = false;
   bool statistics = false;
   bool print_config = false;

@@ -3,7 +3,7 @@
 #include "design/filter_analysis.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/repository_path.hpp"
-#include "pictures/svg.hpp"
+#include "presentation/pictures/svg.hpp"
 #include "validator/views/axis_views.hpp"
 
 #include <algorithm>

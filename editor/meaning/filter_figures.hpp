@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnostics/sentence.hpp"
-#include "editor/open_list.hpp"
+#include "editor/reading/open_list.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // The axes that a channel list or a machine file names lead to their lists.
 #pragma once
 
-#include "editor/machine_reading.hpp"
+#include "editor/reading/machine_reading.hpp"
 
 #include <cstddef>
 #include <optional>

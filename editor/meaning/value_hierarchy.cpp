@@ -1,10 +1,9 @@
 #include "editor/meaning/value_hierarchy.hpp"
 
 #include "editor/meaning/parameter_number.hpp"
-#include "editor/open_list.hpp"
-#include "editor/places.hpp"
-#include "editor/requests.hpp"
-#include "editor/server.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/places.hpp"
+#include "editor/reading/requests.hpp"
 #include "validator/loading/loader.hpp"
 #include "validator/views/units_text.hpp"
 
@@ -172,25 +171,6 @@ Json ValueHierarchy::overriding(Json const& item) const {
   if (found.status != schema::NameLookup::Status::found) return items;
   for (auto const& line : chain_of(item, *list, found.slot).after) items.push_back(item_of(line));
   return items;
-}
-
-Json Server::prepare_hierarchy(Json const& params) {
-  auto const& asked = document(params);
-  if (!is_list(asked.path)) return nullptr;
-  auto const offset = offset_of(asked.text, position_in(params.at("position")), encoding_);
-  return ValueHierarchy(reading_of(asked), asked, encoding_, surroundings_.language).items_at(offset);
-}
-
-Json Server::supertypes(Json const& params) {
-  auto const& item = params.at("item");
-  auto const& asked = documents_.at(item.at("data").at("document").get<std::string>());
-  return ValueHierarchy(reading_of(asked), asked, encoding_, surroundings_.language).overridden(item);
-}
-
-Json Server::subtypes(Json const& params) {
-  auto const& item = params.at("item");
-  auto const& asked = documents_.at(item.at("data").at("document").get<std::string>());
-  return ValueHierarchy(reading_of(asked), asked, encoding_, surroundings_.language).overriding(item);
 }
 
 }  // namespace axisc::editor

@@ -1,8 +1,8 @@
 // The places that set a parameter, as a hierarchy: each overrides those that the control reads before it, and the default.
 #pragma once
 
-#include "editor/machine_reading.hpp"
-#include "editor/text_positions.hpp"
+#include "editor/reading/machine_reading.hpp"
+#include "editor/reading/text_positions.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,22 +1,22 @@
 #include "cli/options/command_line.hpp"
 
-#include "cli/checking/depfile.hpp"
-#include "cli/failure.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/checking/depfile.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/environment/version.hpp"
 #include "cli/options/help_text.hpp"
-#include "cli/sentences.hpp"
-#include "cli/version.hpp"
+#include "cli/options/sentences.hpp"
 #include "support/catch.hpp"
 
 #include <array>
 #include <cstdlib>
 
 using namespace axisc;
+using namespace axisc;
 using namespace axisc::cli;
 
 namespace {
 
-constexpr Sentence purpose{"Checks axis lists.", "Prüft Achslisten."};
-constexpr Sentence examples{"Example: axisc lint x.lis", "Beispiel: axisc lint x.lis"};
 constexpr Sentence option_fix{
     "write the fixes that do not change what the machine does; =all: the others as well",
     "die Korrekturen schreiben, die nicht ändern, was die Maschine tut; =all: auch die anderen"};
@@ -39,7 +39,7 @@ struct Words {
 };
 
 std::optional<std::string> read(Words& words, std::vector<std::string> const& arguments) {
-  CommandLine line("lint", purpose, examples, Language::english);
+  CommandLine line("lint", Language::english);
   line.arguments("INPUT...", words.inputs, cli::says::argument_inputs);
   line.value("-o,--output", "FILE", words.output, option_image_output);
   line.values("--disable", "CODE", words.codes, option_disable);
@@ -134,8 +134,8 @@ TEST_CASE("help is as wide as the terminal") {
 }
 
 TEST_CASE("lists are split at commas") {
-  CHECK(split_list(" a, b ,,c,") == std::vector<std::string>{"a", "b", "c"});
-  CHECK(split_list("").empty());
+  CHECK(axisc::split_list(" a, b ,,c,") == std::vector<std::string>{"a", "b", "c"});
+  CHECK(axisc::split_list("").empty());
 }
 
 TEST_CASE("dependency rules are escaped for make") {
@@ -165,7 +165,7 @@ TEST_CASE("a flag may have a word, and one option may begin like another") {
   };
   auto const given = [](std::vector<std::string> const& arguments) {
     Given words;
-    CommandLine line("lint", purpose, examples, Language::english);
+    CommandLine line("lint", Language::english);
     line.flag_with_value("--fix", "all", words.word, option_fix);
     line.value("-o,--output", "FILE", words.output, option_image_output);
     line.value("--output-folder", "FOLDER", words.folder, option_image_output);

@@ -1,10 +1,10 @@
-#include "cli/options/quantities.hpp"
+#include "axisc/asked/quantities.hpp"
 
 #include "support/catch.hpp"
 
 #include <string>
 
-using namespace axisc::cli;
+using namespace axisc;
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Checked machines without lists, for the tests of this folder.
 #pragma once
 
+#include "configuration/machine/machine.hpp"
 #include "image/image_contents.hpp"
 #include "image/runtime_host.hpp"
-#include "machine/machine.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // its own evaluation of the self-tests. It shares only the filter design with the compiler.
 #pragma once
 
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The naive image's sections of kernels, slots, channels and banks.
 #pragma once
 
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "naive_bytes.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Some axes of a machine are compiled as the machine compiles them.
-#include "machine/part.hpp"
+#include "configuration/machine/part.hpp"
 
 #include "codegen/image_writer.hpp"
 #include "image/chain_figures.hpp"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Emacs with Eglot, the mode of editors/emacs and the program on PATH: it shows what lint says.
+# Emacs with Eglot, the mode of editor/clients/emacs and the program on PATH: it shows what lint says.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mktemp -d)
@@ -9,5 +9,5 @@ cp -r "$root/samples" "$folder/samples"
 printf '#!/bin/sh\nexec axisc lsp\n' >"$folder/server"
 chmod +x "$folder/server"
 AXISC_SAMPLES=$folder/samples AXISC_SERVER=$folder/server HOME=$folder timeout 120 emacs -q --batch \
-  -L "$root/editors/emacs" -l "$root/tests/editors/emacs.el"
+  -L "$root/editor/clients/emacs" -l "$root/tests/editors/emacs.el"
 echo "emacs: shows what lint says"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Neovim with the plug-in of editors/neovim and the program on PATH: it shows what lint says, and the server ends with it.
+# Neovim with the plug-in of editor/clients/neovim and the program on PATH: it shows what lint says, and the server ends with it.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mktemp -d)
@@ -13,7 +13,7 @@ echo \$? >"$folder/status"
 SERVER
 chmod +x "$folder/server"
 AXISC_SAMPLES=$folder/samples HOME=$folder XDG_STATE_HOME=$folder timeout 120 nvim --headless --clean -n \
-  --cmd "set runtimepath^=$root/editors/neovim" --cmd "let g:axisc_command = ['$folder/server']" \
+  --cmd "set runtimepath^=$root/editor/clients/neovim" --cmd "let g:axisc_command = ['$folder/server']" \
   -c "luafile $root/tests/editors/neovim.lua"
 for _ in $(seq 100); do
   [ -s "$folder/status" ] && break

@@ -20,8 +20,6 @@ void read_frames(std::string_view bytes) {
   axisc::editor::Server server(
       {.disk = files,
        .options = [](std::string const&) { return axisc::validator::CheckOptions{}; },
-       .explain = [](auto const&, auto const& row, auto) { return std::string(row.name); },
-       .pages = {},
        .configure = [](axisc::editor::ClientSettings const&) { return axisc::Language::german; }});
   std::size_t const piece = static_cast<unsigned char>(bytes.front()) + 1U;
   bytes.remove_prefix(1);

@@ -1,9 +1,9 @@
 // Any bytes as an NC program that is simulated: what is refused has its place in the line, and what is followed stays
 // within the velocities of the axes, with figures that are numbers.
+#include "analysis/motion/program/interpreter.hpp"
+#include "analysis/motion/simulation.hpp"
 #include "codegen/image_writer.hpp"
 #include "grammar/line_splitter.hpp"
-#include "motion/program/interpreter.hpp"
-#include "motion/simulation.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // What a scope recorded, with any bytes: it is refused, or compared with figures that are numbers.
-#include "cli/failure.hpp"
-#include "cli/files/recorded_columns.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/recorded_columns.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -36,15 +36,14 @@ comparison::Configured configured(bool with_kernel) {
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   std::string_view const bytes(reinterpret_cast<char const*>(data), size);
   try {
-    auto const recorded =
-        cli::read_recorded_columns("scope.csv", recordings::source_of(bytes), {}, cycle_time);
+    auto const recorded = read_recorded_columns("scope.csv", recordings::source_of(bytes), {}, cycle_time);
     auto const& recording = recorded.recording;
     require(recording.input.size() == recording.output.size());
     for (auto const gap : recording.gaps) require(gap < recording.input.size());
     auto const told = comparison::compare(recording, comparison::readings(configured(size % 2 == 0)));
     require(!(told.listed.rms < 0) && told.compared <= recording.input.size());
     for (auto const& one : told.fitting) require(std::isfinite(one.residual.rms));
-  } catch (cli::Failure const&) {
+  } catch (Failure const&) {
     return 0;
   }
   return 0;

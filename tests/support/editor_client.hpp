@@ -87,10 +87,7 @@ class EditorClient {
 
   NoFiles files_;
   axisc::editor::Server server_{
-      {.disk = files_,
-       .options = [](std::string const&) { return axisc::validator::CheckOptions{}; },
-       .explain = [](auto const&, auto const& row, auto) { return std::string(row.name); },
-       .pages = {}}};
+      {.disk = files_, .options = [](std::string const&) { return axisc::validator::CheckOptions{}; }}};
   std::string text_;
   int version_ = 0;
 };

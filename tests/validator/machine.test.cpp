@@ -1,5 +1,5 @@
 // The typed machine that image and runtime are made from.
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include "support/catch.hpp"
 #include "support/checked.hpp"

@@ -1,11 +1,11 @@
 // From a parsed command of an NC program to what it asks for, or to what is wrong with it.
 #pragma once
 
+#include "configuration/machine/filter_command.hpp"
 #include "design/kernel_design.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_command.hpp"
-#include "machine/filter_command.hpp"
 #include "validator/sentences.hpp"
 
 #include <cstdint>

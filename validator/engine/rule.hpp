@@ -9,10 +9,10 @@
 // mistake gives one message. Findings of a default list that several axes share are merged.
 #pragma once
 
+#include "configuration/machine/machine.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "diagnostics/page.hpp"
-#include "machine/machine.hpp"
 #include "validator/commands/command_check.hpp"
 #include "validator/engine/report.hpp"
 #include "validator/loading/loading.hpp"

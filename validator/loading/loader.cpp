@@ -21,13 +21,8 @@ using configuration::ListKind;
 
 constexpr std::string_view separators = "/\\";
 
-bool ends_in(std::string_view path, std::string_view extension) {
-  if (path.size() < extension.size()) return false;
-  return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
-}
-
 bool is_machine_text(std::string_view path, std::string_view text) {
-  if (!ends_in(path, ".json")) return false;
+  if (!ascii::has_extension(path, ".json")) return false;
   bool const is_blank = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
   return is_blank || configuration::is_machine_file_name(path) ||
          configuration::looks_like_machine_file(text);
@@ -105,7 +100,7 @@ std::optional<configuration::FileError> Loader::load(std::string const& path) {
   machine_.path = path;
   machine_.name = without_extension(file_name(path));
   machine_.files.push_back(path);
-  if (auto const error = ends_in(path, ".nc") ? load_program() : load_text()) return *error;
+  if (auto const error = ascii::has_extension(path, ".nc") ? load_program() : load_text()) return *error;
   if (machine_.groups.empty()) add_default_group();
   for (LoadedGroup& group : machine_.groups) {
     for (std::size_t const program : common_programs_) {
@@ -154,7 +149,7 @@ std::optional<configuration::FileError> Loader::load_text() {
 }
 
 bool Loader::is_machine_file(std::string const& path) {
-  if (!ends_in(path, ".json")) return false;
+  if (!ascii::has_extension(path, ".json")) return false;
   auto const bytes = files_.read(path);
   auto const* const text = std::get_if<std::string>(&bytes);
   return text != nullptr && is_machine_text(path, *text);

@@ -2,9 +2,9 @@
 // comes from.
 #pragma once
 
+#include "configuration/machine/machine.hpp"
 #include "design/readings.hpp"
 #include "diagnostics/source_text.hpp"
-#include "machine/machine.hpp"
 #include "schema/catalogue.hpp"
 #include "schema/value.hpp"
 #include "validator/values/loaded_list.hpp"

@@ -1,6 +1,6 @@
 #include "validator/values/merge_lists.hpp"
 
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "validator/values/effective_values.hpp"
 #include "validator/values/references.hpp"
 

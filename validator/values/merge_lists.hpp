@@ -1,7 +1,7 @@
 // Internal defaults, default list and axis list become the values of one axis.
 #pragma once
 
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "validator/values/effective_values.hpp"
 #include "validator/values/references.hpp"
 

@@ -1,7 +1,7 @@
 // How long the filters of an axis delay its setpoint.
 #pragma once
 
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "validator/values/effective_values.hpp"
 
 #include <optional>

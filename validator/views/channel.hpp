@@ -1,7 +1,7 @@
 // What the commands of a channel's programs act on, and which kernels they ask for.
 #pragma once
 
-#include "machine/filter_command.hpp"
+#include "configuration/machine/filter_command.hpp"
 #include "validator/check.hpp"
 #include "validator/loading/loading.hpp"
 #include "validator/not_compiled.hpp"

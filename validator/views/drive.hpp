@@ -1,8 +1,8 @@
 // The drive of an axis, and where its position is controlled. The machine file overrides the lists.
 #pragma once
 
+#include "configuration/machine/drive_type.hpp"
 #include "diagnostics/wording.hpp"
-#include "machine/drive_type.hpp"
 #include "validator/loading/loading.hpp"
 
 namespace axisc::validator {

@@ -2,7 +2,7 @@
 // `filter.damping`, and from V3.1.3132.0 `filter[k].order` with `osc_damping`.
 #pragma once
 
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "validator/values/effective_values.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 // Raw numbers of a list in usual units: mm, mm/s, °, ms, Hz.
 #pragma once
 
+#include "configuration/machine/machine.hpp"
 #include "diagnostics/wording.hpp"
-#include "machine/machine.hpp"
 #include "schema/catalogue.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 // `axisc lint --changed-since`: what differs from a revision of git.
-#include "cli/files/disk_files.hpp"
-#include "cli/options/machine_outline.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/workspace/machine_outline.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
@@ -230,14 +230,14 @@ TEST_CASE("what a machine is made of is known without checking it") {
   for (auto const& entry : fs::recursive_directory_iterator(fs::path(AXISC_SOURCE_DIR) / "samples")) {
     auto const path = entry.path().string();
     if (!entry.is_regular_file()) continue;
-    auto const outline = axisc::cli::outline_of(path);
+    auto const outline = axisc::outline_of(path);
     if (!outline.is_machine) continue;
     ++machines;
     std::set<fs::path> known{fs::weakly_canonical(path)};
     for (auto const& parts : {outline.lists, outline.programs}) {
       for (auto const& part : parts) known.insert(fs::weakly_canonical(entry.path().parent_path() / part));
     }
-    axisc::cli::DiskFiles files;
+    axisc::DiskFiles files;
     axisc::SourceSet sources;
     auto const result = axisc::validator::check(files, path, {}, sources);
     for (auto const& file : result.files) {

@@ -1,5 +1,5 @@
 // What fixes promise, on lists with planted mistakes.
-#include "cli/checking/fixing.hpp"
+#include "axisc/checking/fixing.hpp"
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
 #include "support/random_lists.hpp"
@@ -12,7 +12,7 @@
 #include <vector>
 
 using namespace axisc;
-using namespace axisc::cli;
+using namespace axisc;
 
 namespace {
 

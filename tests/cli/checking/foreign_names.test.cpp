@@ -3,7 +3,7 @@
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "codegen/image_writer.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "support/catch.hpp"
 
 using namespace axisc::test;

@@ -1,10 +1,10 @@
 // The published JSON schemas and the program agree on which files are right.
+#include "axisc/settings/finding_shape.hpp"
+#include "axisc/settings/json_schema.hpp"
+#include "axisc/settings/plant_file.hpp"
+#include "axisc/settings/schema_file.hpp"
+#include "axisc/settings/settings.hpp"
 #include "cli/program.hpp"
-#include "cli/report/finding_shape.hpp"
-#include "cli/settings/json_schema.hpp"
-#include "cli/settings/plant_file.hpp"
-#include "cli/settings/schema_file.hpp"
-#include "cli/settings/settings.hpp"
 #include "configuration/json_check.hpp"
 #include "configuration/machine_file.hpp"
 #include "support/catch.hpp"
@@ -21,7 +21,7 @@
 #include <nlohmann/json.hpp>
 
 using namespace axisc::test;
-using axisc::cli::json_schema;
+using axisc::json_schema;
 using axisc::configuration::JsonShape;
 using Json = nlohmann::ordered_json;
 
@@ -44,19 +44,19 @@ std::vector<FileKind> const& kinds() {
         "groups": [{"name": "table", "axes": ["X", "Y"], "programs": ["a.nc"]}],
         "gantries": [{"master": "X", "slaves": ["Y"]}],
         "programs": ["b.nc"], "filter_sets": ["#FILTER ON"], "inch": false})"},
-      {"docs/schemas/settings.schema.json", "docs/settings.md", axisc::cli::settings_shape, R"({
+      {"docs/schemas/settings.schema.json", "docs/settings.md", axisc::settings_shape, R"({
         "cycle_time_us": 62.5, "build": "V3.1.3080.00", "language": "de", "disable": ["AX4007", "delay-too-long"],
         "design": {"filters": "matched", "kernels": "taps-n", "cycle_time": "half"},
         "severity": {"ax3013": "error"}, "schema": ["build.json"],
         "paths": [{"pattern": "old/**", "disable": ["AX1011"], "kind": "tool"}],
         "include": ["**/*.lis"], "exclude": ["old/**"]})"},
-      {"docs/schemas/plant.schema.json", "docs/plant-file.md", axisc::cli::plant_file_shape, R"({"plants": [{
+      {"docs/schemas/plant.schema.json", "docs/plant-file.md", axisc::plant_file_shape, R"({"plants": [{
         "name": "X", "comment": ["anything"], "motor_mass_kg": 500, "load_mass_kg": 1060, "stiffness_n_per_um": 117.5,
         "damping_n_s_per_mm": 20, "tooth_pitch_mm": 10, "transmission_error_um": 2.8, "structure_mass_kg": 1500,
         "structure_frequency_hz": 11.75, "structure_damping_ratio": 0.015, "dead_time_us": 250,
         "velocity_bandwidth_hz": 57, "velocity_reset_time_ms": 4, "kv_per_s": 60, "feedforward_percent": 44,
         "position_feedback": "motor"}]})"},
-      {"docs/schemas/schema-file.schema.json", "docs/schema-files.md", axisc::cli::schema_file_shape,
+      {"docs/schemas/schema-file.schema.json", "docs/schema-files.md", axisc::schema_file_shape,
        R"json({"version": 1, "parameters": [
         {"id": "P-AXIS-00900", "name": "getriebe[].new_limit", "type": "UNS16", "array": [6], "default": "0", "unit": "us",
          "minimum": 1, "maximum": "MAX(UNS16)", "number_names": {"off": 0}, "former_name": "kenngr.older", "since": "V3.1.3200.00"},
@@ -64,7 +64,7 @@ std::vector<FileKind> const& kinds() {
          "exclusive_minimum": "P-AXIS-00900", "exclusive_maximum": 1e9},
         {"name": "a.c", "type": "STRING", "symbols": {"OFF": 0, "ON_2": null}, "max_length": 8,
          "axis_types": ["T", "R"]}]})json"},
-      {"docs/schemas/finding.schema.json", "docs/findings.md", axisc::cli::finding_shape,
+      {"docs/schemas/finding.schema.json", "docs/findings.md", axisc::finding_shape,
        R"({"code": "AX3005", "name": "delay-too-long", "severity": "error", "message": "the delay is too long",
         "file": "x.lis", "line": 12, "column": 34, "end_line": 12, "end_column": 39,
         "parameter": "filter[0].time_constant", "p_axis": "P-AXIS-00357", "axis": "X",
@@ -165,7 +165,7 @@ TEST_CASE("the JSON schemas are what the tables of the readers give") {
 }
 
 TEST_CASE("the published JSON schemas are printed") {
-  auto const printed = axisc::cli::json_file_kinds();
+  auto const printed = axisc::json_file_kinds();
   REQUIRE(printed.size() == kinds().size());
   for (std::size_t i = 0; i < printed.size(); ++i) {
     auto const outcome = run_axisc({"schema", std::string(printed[i].name)});

@@ -321,3 +321,44 @@ TEST_CASE("the text of an editor is judged in the machine of its file") {
   CHECK(findings[0]["file"] == "./x.lis");
   CHECK(outcome.status == 1);
 }
+
+TEST_CASE("a named list is judged in the machine that reads it") {
+  TemporaryFolder const folder;
+  folder.write(
+      "machine.json",
+      R"({"cycle_time_us": 2000, "axes": [{"name": "X", "list": "lists/x.lis"}, {"name": "Y", "list": "lists/y.lis"}]})");
+  // Above half of the sampling frequency with 2 ms alone.
+  folder.write(
+      "lists/x.lis",
+      "kopf.achs_nr 1\nfilter[0].enable 1\nfilter[0].type LOWPASS\nfilter[0].order 1\nfilter[0].fg_f0 300\n");
+  folder.write("lists/y.lis", "kopf.achs_nr 1\nnonsense 3\n");
+  auto const lint = [&](std::vector<std::string> words, std::string const& where = "") {
+    words.insert(words.begin(), {"lint", "--lang", "en"});
+    return run_axisc(words, in_folder(folder.path() + where));
+  };
+  SECTION("from every working folder, with what is wrong elsewhere") {
+    auto const named = lint({"lists/x.lis"});
+    CHECK(named.status == 1);
+    CHECK_THAT(named.out, Catch::Matchers::Contains("AX3002"));
+    CHECK_THAT(named.out, !Catch::Matchers::Contains("nonsense"));
+    CHECK_THAT(named.err, Catch::Matchers::Contains(
+                              "lists/x.lis was judged in machine.json, which has errors in other files: 1"));
+    auto const below = lint({"x.lis"}, "/lists");
+    CHECK(below.status == 1);
+    CHECK_THAT(below.out, Catch::Matchers::Contains("AX3002"));
+    CHECK_THAT(lint({"."}, "/lists").out,
+               Catch::Matchers::Contains("AX3002") && Catch::Matchers::Contains("nonsense"));
+  }
+  SECTION("alone") {
+    auto const alone = lint({"lists/x.lis", "--alone", "--cycle-time", "1ms"});
+    CHECK(alone.status == 0);
+    CHECK(alone.err.empty());
+  }
+  SECTION("fixes change the named file alone") {
+    folder.write("lists/x.lis", "kopf.achs_nr 1\nfilter[0].order 1,0\n");
+    folder.write("lists/y.lis", "kopf.achs_nr 2\nfilter[0].order 1,0\n");
+    CHECK(lint({"lists/x.lis", "--fix=all"}).status == 0);
+    CHECK(folder.read("lists/x.lis") == "kopf.achs_nr 1\nfilter[0].order 1\n");
+    CHECK(folder.read("lists/y.lis") == "kopf.achs_nr 2\nfilter[0].order 1,0\n");
+  }
+}

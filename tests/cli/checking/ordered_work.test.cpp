@@ -1,4 +1,4 @@
-#include "cli/checking/ordered_work.hpp"
+#include "axisc/checking/ordered_work.hpp"
 
 #include "support/catch.hpp"
 
@@ -6,7 +6,7 @@
 #include <chrono>
 #include <stdexcept>
 
-using namespace axisc::cli;
+using namespace axisc;
 
 namespace {
 

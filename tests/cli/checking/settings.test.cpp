@@ -1,4 +1,4 @@
-#include "cli/options/glob.hpp"
+#include "axisc/settings/glob.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
@@ -71,7 +71,7 @@ std::string const slow_filter =
 }  // namespace
 
 TEST_CASE("patterns for paths") {
-  using axisc::cli::matches_glob;
+  using axisc::matches_glob;
   CHECK(matches_glob("*.lis", "x.lis"));
   CHECK_FALSE(matches_glob("*.lis", "old/x.lis"));
   CHECK(matches_glob("**/*.lis", "old/x.lis"));

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 using namespace axisc::test;
@@ -94,6 +96,44 @@ TEST_CASE("each sample alone shows what lint says of it in its machine") {
                         expected_in(path));
   }
   CHECK(findings > 20);
+}
+
+TEST_CASE("a file has one verdict, whether it is named, in a commit, or an editor's text") {
+  auto const files = sample_files();
+  auto const found = [](std::vector<std::string> words, std::string const& input = {}) {
+    words.insert(words.begin(), "lint");
+    words.insert(words.end(), {"--format", "json", "--lang", "en"});
+    Surroundings surroundings;
+    surroundings.input = input;
+    return Json::parse(run_axisc(words, surroundings).out)["diagnostics"];
+  };
+  // The assumed cycle time is said once in a run.
+  auto const of_file = [](Json const& all, std::string const& path) {
+    auto own = Json::array();
+    for (auto const& finding : all) {
+      if (finding["code"] == "AX9006") continue;
+      if (fs::path(finding["file"].get<std::string>()).lexically_normal() == path) own.push_back(finding);
+    }
+    return own;
+  };
+  std::vector<std::string> commit{"--hook"};
+  commit.insert(commit.end(), files.begin(), files.end());
+  auto const committed = found(commit);
+  TemporaryFolder const folder;
+  std::string names;
+  for (auto const& path : files) names += path + "\n";
+  folder.write("changed.txt", names);
+  auto const listed = found({"@" + folder.path() + "/changed.txt"});
+  for (auto const& path : files) {
+    INFO(path);
+    Json const expected = expected_in(path);
+    if (machine_of(path) != path) CHECK(found({path}) == expected);
+    CHECK(of_file(committed, path) == of_file(expected, path));
+    CHECK(of_file(listed, path) == of_file(expected, path));
+    std::ifstream in(path, std::ios::binary);
+    std::string const bytes((std::istreambuf_iterator<char>(in)), {});
+    if (machine_of(path) != path) CHECK(found({"-", "--stdin-filename", path}, bytes) == expected);
+  }
 }
 
 TEST_CASE("all samples together show what lint says of each") {

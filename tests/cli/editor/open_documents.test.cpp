@@ -1,6 +1,6 @@
 // What many open documents cost, counted in machines that are read, and whom an opened or closed document
 // concerns.
-#include "editor/edited_text.hpp"
+#include "editor/reading/edited_text.hpp"
 #include "editor/server.hpp"
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
@@ -25,17 +25,12 @@ using Json = nlohmann::json;
 class Desk {
  public:
   explicit Desk(std::map<std::string, std::string> disk)
-      : disk_(std::move(disk)),
-        server_({.disk = disk_,
-                 .options =
-                     [this](std::string const&) {
-                       ++read;
-                       validator::CheckOptions options;
-                       options.cycle_time = design::CycleTime{1'000'000};
-                       return options;
-                     },
-                 .explain = {},
-                 .pages = {}}) {
+      : disk_(std::move(disk)), server_({.disk = disk_, .options = [this](std::string const&) {
+                                           ++read;
+                                           validator::CheckOptions options;
+                                           options.cycle_time = design::CycleTime{1'000'000};
+                                           return options;
+                                         }}) {
     tell({{"id", 1}, {"method", "initialize"}, {"params", Json::object()}});
   }
 

@@ -1,9 +1,9 @@
 // File names in URIs, of either operating system.
-#include "editor/uri.hpp"
+#include "axisc/workspace/uri.hpp"
 
 #include "support/catch.hpp"
 
-using namespace axisc::editor;
+using namespace axisc;
 
 TEST_CASE("file URIs are paths") {
   CHECK(path_of("file:///a/b%20c/%C3%BC.lis") == "/a/b c/\xC3\xBC.lis");

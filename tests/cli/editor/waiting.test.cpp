@@ -87,10 +87,7 @@ TEST_CASE("files that are deleted under the server leave it answering") {
       {"/m/all.lis", "filter[0].fg_f0 42\n"},
       {"/m/x.lis", "filter[0].fg_f0 17\n"}};
   axisc::editor::Server server(
-      {.disk = disk,
-       .options = [](std::string const&) { return axisc::validator::CheckOptions{}; },
-       .explain = [](auto const&, auto const& row, auto) { return std::string(row.name); },
-       .pages = {}});
+      {.disk = disk, .options = [](std::string const&) { return axisc::validator::CheckOptions{}; }});
   (void)server.receive(request(1, "initialize", {{"capabilities", Json::object()}}));
   (void)server.receive(
       note("textDocument/didOpen",

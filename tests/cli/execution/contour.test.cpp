@@ -130,8 +130,9 @@ TEST_CASE("what contour refuses") {
     CHECK(run_axisc(arguments, there).status == 2);
   }
   CHECK(run_axisc({"contour"}, there).status == 2);
-  CHECK(run_axisc({"contour", "x.lis"}, there).status == 2);
-  CHECK(run_axisc({"contour", "x.lis", "--cycle-time", "1ms"}, there).status == 0);
+  CHECK(run_axisc({"contour", "x.lis", "--alone"}, there).status == 2);
+  CHECK(run_axisc({"contour", "x.lis", "--alone", "--cycle-time", "1ms"}, there).status == 0);
+  CHECK(run_axisc({"contour", "x.lis"}, there).out == run_axisc({"contour", "m.json"}, there).out);
   machine(folder, "filter[0].enable 1\nfilter[0].type HIGHPASS\nfilter[0].order 1\nfilter[0].fg_f0 10\n", "");
   CHECK_THAT(run_axisc({"contour", "m.json"}, there).err,
              Catch::Matchers::Contains("blocks the constant part"));

@@ -1,6 +1,6 @@
-#include "cli/report/csv.hpp"
+#include "axisc/files/csv.hpp"
 
-#include "cli/failure.hpp"
+#include "axisc/environment/failure.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <rapidcheck.h>
 
 using namespace axisc;
-using namespace axisc::cli;
+using namespace axisc;
 
 namespace {
 

@@ -1,8 +1,8 @@
-#include "cli/execution/signals.hpp"
+#include "axisc/answers/execution/signals.hpp"
 
 #include "support/catch.hpp"
 
-using axisc::cli::Signal;
+using axisc::Signal;
 using axisc::design::CycleTime;
 
 namespace {

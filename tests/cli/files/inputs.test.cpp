@@ -1,6 +1,6 @@
-#include "cli/options/inputs.hpp"
+#include "axisc/workspace/inputs.hpp"
 
-#include "cli/options/machine_outline.hpp"
+#include "axisc/workspace/machine_outline.hpp"
 #include "cli/temporary_folder.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-using namespace axisc::cli;
+using namespace axisc;
 namespace fs = std::filesystem;
 
 namespace {

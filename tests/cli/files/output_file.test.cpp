@@ -1,6 +1,6 @@
-#include "cli/files/output_file.hpp"
+#include "axisc/files/output_file.hpp"
 
-#include "cli/failure.hpp"
+#include "axisc/environment/failure.hpp"
 #include "cli/temporary_folder.hpp"
 
 #include <csignal>
@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 using namespace axisc;
-using namespace axisc::cli;
+using namespace axisc;
 namespace fs = std::filesystem;
 
 namespace {

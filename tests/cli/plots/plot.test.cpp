@@ -2,7 +2,7 @@
 #include "cli/compiled_machine.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
-#include "pictures/projection.hpp"
+#include "presentation/pictures/projection.hpp"
 #include "support/golden.hpp"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -133,8 +132,8 @@ TEST_CASE("the report's programs are those of simulate") {
   for (auto const& pass : simulated["passes"]) {
     std::ostringstream deviation;
     deviation << std::fixed << std::setprecision(4) << pass["max_contour_deviation_um"].get<double>();
-    std::string german = deviation.str();
-    std::replace(german.begin(), german.end(), '.', ',');
+    auto german = deviation.str();
+    german.replace(german.find('.'), 1, ",");
     CHECK_THAT(text, Contains(german));
   }
   CHECK_THAT(text, Contains("Bahn von part.nc, Ebene X/Y") && Contains("AX9007"));

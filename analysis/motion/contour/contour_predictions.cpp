@@ -1,0 +1,199 @@
+#include "analysis/motion/contour/contour_predictions.hpp"
+
+#include "analysis/motion/contour/nearest_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+namespace axisc::motion {
+namespace {
+
+struct Plane {
+  ChainAnswer const& first;
+  ChainAnswer const& second;
+
+  [[nodiscard]] double reach() const {
+    return std::max(first.reach, second.reach) + std::abs(first.delay - second.delay) + 2;
+  }
+  [[nodiscard]] double latest() const { return std::max(first.delay, second.delay); }
+};
+
+/// The largest figures of the planes of the first axis with each other one.
+template <class Predict>
+ContourFigures over_planes(std::span<ChainAnswer const> answers, Predict predict) {
+  if (answers.size() == 1) return predict(Plane{.first = answers[0], .second = answers[0]});
+  ContourFigures largest;
+  for (std::size_t axis = 1; axis < answers.size(); ++axis) {
+    ContourFigures const here = predict(Plane{.first = answers[0], .second = answers[axis]});
+    largest.deviation = std::max(largest.deviation, here.deviation);
+    largest.axis_error[0] = std::max(largest.axis_error[0], here.axis_error[0]);
+    largest.axis_error[axis] = here.axis_error[1];
+  }
+  return largest;
+}
+
+/// y = v0 (n - D - r) + v1 r
+double passed(ChainAnswer const& answer, double v0, double v1, double cycle) {
+  double const r = answer.ramp_at(cycle);
+  return v0 * (cycle - answer.delay - r) + v1 * r;
+}
+
+/// The filtered path around a corner at 0 that is passed at cycle 0, one point per cycle.
+struct Corner {
+  Point u0{}, u1{};
+  double velocity = 0;
+
+  [[nodiscard]] Point nominal(double cycle) const { return plus({}, velocity * cycle, cycle < 0 ? u0 : u1); }
+  [[nodiscard]] Point filtered(Plane const& plane, double cycle) const {
+    Point point{};
+    point[0] = passed(plane.first, velocity * u0[0], velocity * u1[0], cycle);
+    point[1] = passed(plane.second, velocity * u0[1], velocity * u1[1], cycle);
+    return point;
+  }
+  /// From cycle `first` to cycle `last`, both whole.
+  [[nodiscard]] std::vector<Point> path(Plane const& plane, double first, double last) const {
+    std::vector<Point> points;
+    auto const cycles = static_cast<int>(last - first);
+    for (int n = 0; n <= cycles; ++n) points.push_back(filtered(plane, first + n));
+    return points;
+  }
+};
+
+void take_largest(ContourFigures& figures, NearestPoint const& nearest) {
+  figures.deviation = std::max(figures.deviation, nearest.distance());
+  for (std::size_t i = 0; i < most_axes; ++i) {
+    figures.axis_error[i] = std::max(figures.axis_error[i], std::abs(nearest.away[i]));
+  }
+}
+
+ContourFigures measure(Corner const& corner, Plane const& plane) {
+  auto const reach = static_cast<int>(std::ceil(plane.reach()));
+  double const middle = std::round(plane.latest());
+  int const first = -2 * reach;
+  SearchedPath const path(corner.path(plane, middle + first, middle - first));
+  ContourFigures figures;
+  for (int n = -reach; n <= reach; ++n) {
+    take_largest(figures, path.nearest(corner.nominal(n), static_cast<std::size_t>(n - first)));
+  }
+  return figures;
+}
+
+/// Response at θ from the second differences of the ramp's answer, the impulse response:  G = Σ b[n] e^(-jθn).
+std::complex<double> gain(ChainAnswer const& answer, double theta) {
+  auto const turn = std::polar(1.0, -theta);
+  std::complex<double> phasor = 1;
+  std::complex<double> sum = 0;
+  for (std::size_t n = 0; n + 1 < answer.ramp.size(); ++n) {
+    double const before = n > 0 ? answer.ramp[n - 1] : 0.0;
+    sum += (answer.ramp[n + 1] - 2 * answer.ramp[n] + before) * phasor;
+    phasor *= turn;
+  }
+  return sum;
+}
+
+/// Setpoints r cos and r sin of an angle come out as the real part of one product and the imaginary part of another.
+struct Circle {
+  std::complex<double> x, y;
+
+  Circle(Plane const& plane, double velocity, double radius) {
+    double const theta = velocity / radius;
+    // The delay of the first axis is no deviation: both are seen from there.
+    auto const seen = std::polar(1.0, theta * plane.first.delay);
+    x = radius * gain(plane.first, theta) * seen;
+    y = radius * gain(plane.second, theta) * seen;
+  }
+  [[nodiscard]] Point at(double angle) const {
+    auto const setpoint = std::polar(1.0, angle);
+    Point point{};
+    point[0] = (x * setpoint).real();
+    point[1] = (y * setpoint).imag();
+    return point;
+  }
+};
+
+ContourFigures circle(Plane const& plane, double velocity, double radius) {
+  constexpr int directions = 3600;
+  Circle const filtered(plane, velocity, radius);
+  auto const& [x, y] = filtered;
+  ContourFigures figures;
+  if (x == y) {
+    figures.deviation = std::abs(std::abs(x) - radius);
+    figures.axis_error[0] = figures.axis_error[1] = figures.deviation;
+    return figures;
+  }
+  for (int i = 0; i < directions; ++i) {
+    Point const point = filtered.at(2 * std::numbers::pi * i / directions);
+    double const px = point[0];
+    double const py = point[1];
+    double const distance = std::hypot(px, py);
+    double const share = distance > 0 ? 1 - radius / distance : 1;
+    figures.deviation = std::max(figures.deviation, std::abs(distance - radius));
+    figures.axis_error[0] = std::max(figures.axis_error[0], std::abs(px * share));
+    figures.axis_error[1] = std::max(figures.axis_error[1], std::abs(py * share));
+  }
+  return figures;
+}
+
+ContourFigures parallel(Plane const& plane, double velocity) {
+  auto const reach = static_cast<int>(std::ceil(plane.reach()));
+  Corner const there{.u0 = {1, 0}, .u1 = {0, 1}, .velocity = velocity};
+  Corner const back{.u0 = {0, -1}, .u1 = {-1, 0}, .velocity = velocity};
+  double const middle = std::round(plane.latest());
+  SearchedPath const way_back(back.path(plane, middle - 3 * reach, middle + 3 * reach));
+  ContourFigures figures;
+  for (int n = -reach; n <= reach; ++n) {
+    take_largest(figures, way_back.nearest(there.filtered(plane, middle + n),
+                                           static_cast<std::size_t>(3 * reach - n)));
+  }
+  return figures;
+}
+
+}  // namespace
+
+double ContourFigures::largest_axis_error() const {
+  return *std::max_element(axis_error.begin(), axis_error.end());
+}
+
+ContourFigures predict_corner(std::span<ChainAnswer const> answers, double velocity, double turn) {
+  Corner corner{.u0 = {1, 0}, .u1 = {std::cos(turn), std::sin(turn)}, .velocity = velocity};
+  return over_planes(answers, [&](Plane const& plane) { return measure(corner, plane); });
+}
+
+ContourFigures predict_line(std::span<ChainAnswer const> answers, double velocity) {
+  double const share = std::numbers::sqrt2 / 2;
+  Corner const straight{.u0 = {share, share}, .u1 = {share, share}, .velocity = velocity};
+  return over_planes(answers, [&](Plane const& plane) { return measure(straight, plane); });
+}
+
+ContourFigures predict_circle(std::span<ChainAnswer const> answers, double velocity, double radius) {
+  return over_planes(answers, [&](Plane const& plane) { return circle(plane, velocity, radius); });
+}
+
+double predict_parallel(std::span<ChainAnswer const> answers, double velocity) {
+  auto const figures = over_planes(answers, [&](Plane const& plane) { return parallel(plane, velocity); });
+  return figures.deviation;
+}
+
+std::vector<Point> corner_path(ChainAnswer const& first, ChainAnswer const& second, double velocity,
+                               double turn) {
+  Corner const corner{.u0 = {1, 0}, .u1 = {std::cos(turn), std::sin(turn)}, .velocity = velocity};
+  Plane const plane{.first = first, .second = second};
+  double const reach = std::ceil(plane.reach());
+  double const middle = std::round(plane.latest());
+  return corner.path(plane, middle - 2 * reach, middle + 2 * reach);
+}
+
+std::vector<Point> circle_path(ChainAnswer const& first, ChainAnswer const& second, double velocity,
+                               double radius, std::size_t points) {
+  Circle const filtered({.first = first, .second = second}, velocity, radius);
+  std::vector<Point> path;
+  for (std::size_t i = 0; i < points; ++i) {
+    path.push_back(filtered.at(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points)));
+  }
+  return path;
+}
+
+}  // namespace axisc::motion

@@ -1,0 +1,49 @@
+// Samples a planned path once per NC cycle.
+#pragma once
+
+#include "analysis/motion/look_ahead.hpp"
+
+#include <cstdint>
+#include <limits>
+
+namespace axisc::motion {
+
+/// What the path is at a cycle, and where it passes a corner in between.
+class SampleSink {
+ public:
+  virtual ~SampleSink() = default;
+  /// So many more cycles are followed at most.
+  [[nodiscard]] virtual double room() const { return std::numeric_limits<double>::infinity(); }
+  /// A piece of a block would take longer than that: nothing of it is sampled.
+  virtual void no_room(PathBlock const& /*block*/) {}
+  /// A setpoint; `velocity` is the path's, in units per cycle.
+  virtual void sample(Point const& setpoint, double velocity, PathBlock const& block) = 0;
+  /// The end of a block, which need not be on a cycle, and its duration in cycles. `next` is null where the path stops.
+  virtual void corner(PathBlock const& block, PathBlock const* next, double block_cycles) = 0;
+
+ protected:
+  SampleSink() = default;
+  SampleSink(SampleSink const&) = default;
+  SampleSink& operator=(SampleSink const&) = default;
+};
+
+/// The path begins on a cycle whose setpoint has been given already. Where it stops, the first cycle behind the stop
+/// gives the end point.
+class Interpolator final : public PathSink {
+ public:
+  explicit Interpolator(SampleSink& sink) : sink_(sink) {}
+
+  void piece(PathBlock const& block, PathPiece const& piece) override;
+  void block_end(PathBlock const& block, PathBlock const* next) override;
+  void rest(PathBlock const& block, std::uint64_t cycles) override;
+  [[nodiscard]] double room() const override { return sink_.room(); }
+
+ private:
+  SampleSink& sink_;
+  double to_sample_ = 1;     ///< cycles from the beginning of the next piece to the next sample
+  double passed_ = 0;        ///< of the block, units
+  double velocity_ = 0;      ///< behind the last piece
+  double block_cycles_ = 0;  ///< of the block so far
+};
+
+}  // namespace axisc::motion

@@ -1,0 +1,15 @@
+// The `#` commands of a program other than #FILTER.
+#pragma once
+
+#include "analysis/motion/program/nc_block.hpp"
+#include "analysis/motion/program/state.hpp"
+
+#include <cstddef>
+
+namespace axisc::motion {
+
+/// The command that is this token, which ends the block: #SLOPE counts, what changes neither path nor filters is ignored,
+/// the rest is refused.
+void take_other_command(std::size_t at, NcBlock const& block, ProgramState& state);
+
+}  // namespace axisc::motion

@@ -1,0 +1,50 @@
+// Where a block goes: its coordinates and its circle, as the path follows them.
+#pragma once
+
+#include "analysis/motion/program/nc_block.hpp"
+#include "analysis/motion/program/state.hpp"
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace axisc::motion {
+
+/// One block's motion. What words say of it is refused where they cannot be followed.
+class BlockMotion {
+ public:
+  BlockMotion(NcBlock const& block, ProgramState& state);
+
+  void set_label(std::string_view label) { next_.label = label; }
+  /// Value in the program's unit.
+  void take_coordinate(Token const& token, std::size_t axis, double value);
+  /// I, J, K or R, in the program's unit.
+  void take_arc_word(Token const& token, char letter, double value);
+  /// F, in the program's unit.
+  void take_feed(Token const& token, double value);
+  /// S: counts with G95, otherwise for nothing.
+  void take_speed(Token const& token, double value);
+  /// Words since the last move() say where to.
+  [[nodiscard]] bool moves() const { return moves_; }
+  /// What the words so far ask for goes to the listener.
+  void move();
+
+ private:
+  [[nodiscard]] double feed();
+  [[nodiscard]] bool make_arc();
+  [[nodiscard]] bool asks_for_arc() const;
+
+  NcBlock const& block_;
+  ProgramState& state_;
+  ProgrammedBlock next_;
+  bool moves_ = false;
+  std::bitset<most_axes> moved_;                    ///< axes that were named
+  std::array<std::optional<double>, 3> to_center_;  ///< I, J, K, position units
+  std::optional<double> radius_;                    ///< R
+  bool feed_named_ = false, speed_named_ = false;
+  Token first_coordinate_, first_arc_word_;
+};
+
+}  // namespace axisc::motion

@@ -1,0 +1,202 @@
+#include "analysis/motion/program/block_words.hpp"
+
+#include "analysis/motion/program/block_commands.hpp"
+#include "analysis/motion/program/filter_change.hpp"
+#include "analysis/motion/program/numbers.hpp"
+#include "analysis/motion/program/unused_words.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace axisc::motion::says {
+
+constexpr Sentence cannot_simulate_both{"`{word}`: another word of this block excludes it",
+                                        "`{word}`: ein anderes Wort dieses Satzes schließt es aus"};
+constexpr Sentence cannot_simulate_number{"`{word}` needs a number", "`{word}` braucht eine Zahl"};
+constexpr Sentence cannot_simulate_file{
+    "`{word}`: subprograms in other files are not read; put it before the program with %L, and call it "
+    "with LL",
+    "`{word}`: Unterprogramme in anderen Dateien werden nicht gelesen; mit %L vor das Programm schreiben "
+    "und mit LL rufen"};
+
+}  // namespace axisc::motion::says
+
+namespace axisc::motion {
+namespace {
+
+using grammar::WordKind;
+
+bool is_one_of(std::string_view letters, std::string_view name) {
+  return name.size() == 1 && letters.find(name) != std::string_view::npos;
+}
+
+}  // namespace
+
+BlockOutcome BlockWords::execute() {
+  state_.problems.begin_block();
+  for (std::size_t at = 0; at < block_.tokens.size() && !state_.ended && !state_.problems.refused();) {
+    at = take(at);
+  }
+  if (state_.ended || state_.problems.refused()) return outcome_;
+  motion_.move();
+  if (!state_.problems.refused()) dwell_.finish();
+  return outcome_;
+}
+
+/// Understands what begins with the token and returns the place behind it.
+std::size_t BlockWords::take(std::size_t at) {
+  Token const& token = block_.tokens[at];
+  if (token.command) return take_command(at);
+  switch (token.kind) {
+    case WordKind::skip:
+    case WordKind::program:
+      return at + 1;
+    case WordKind::block_number:
+      motion_.set_label(block_.text(token));
+      return at + 1;
+    case WordKind::address:
+      return take_address(at);
+    case WordKind::name:
+      return take_assignment(at);
+    case WordKind::number:
+      if (dwell_.is_open() && !dwell_.has_time()) {
+        dwell_.take(token, real_number(block_.text(token)).value_or(-1));
+      } else {
+        refuse(token);
+      }
+      return at + 1;
+    default:
+      refuse(token);
+      return at + 1;
+  }
+}
+
+std::size_t BlockWords::take_address(std::size_t at) {
+  Token const& token = block_.tokens[at];
+  std::string_view const word = block_.text(token);
+  std::string_view const number = word.substr(1);
+  switch (word.front()) {
+    case 'P':
+      return take_assignment(at);  // P1 = 5, with blanks
+    case 'N':
+      motion_.set_label(word);
+      break;
+    case 'G':
+      take_g(token, number);
+      break;
+    case 'M':
+      take_m(token, number);
+      break;
+    default:
+      if (auto const value = real_number(number)) {
+        take_value(token, word.substr(0, 1), *value);
+      } else {
+        refuse(token, says::cannot_simulate_number);
+      }
+  }
+  return at + 1;
+}
+
+/// X=5, X1=P1, P1=2*P2, X[P1+1], and calls of subprograms.
+std::size_t BlockWords::take_assignment(std::size_t at) {
+  auto const tokens = block_.tokens;
+  Token const& token = tokens[at];
+  std::string const name(block_.text(token));
+  if (name == "LL" || name == "L") return take_call(at);
+  std::string_view const behind = at + 1 < tokens.size() ? block_.text(tokens[at + 1]) : std::string_view();
+  bool const is_word = state_.channel.axis(name) || is_one_of("FIJKRS", name);
+  bool const is_assignment = behind == "=" && at + 2 < tokens.size();
+  if (!(is_assignment && (is_word || is_variable(name))) && !(behind == "[" && is_word)) {
+    refuse(token);
+    return tokens.size();
+  }
+  std::uint32_t place = tokens[is_assignment ? at + 2 : at + 1].span.begin;
+  auto const value = state_.variables.value_at(place, block_, token, state_.problems);
+  if (!value) return tokens.size();
+  if (is_variable(name)) {
+    state_.variables[name] = *value;
+  } else {
+    take_value(token, name, *value);
+  }
+  while (at < tokens.size() && tokens[at].span.begin < place) ++at;
+  return at;
+}
+
+std::size_t BlockWords::take_call(std::size_t at) {
+  Token const& token = block_.tokens[at];
+  if (block_.text(token) == "L") {
+    refuse(token, says::cannot_simulate_file);
+  } else if (dwell_.is_open() || outcome_.returns) {
+    refuse(token, says::cannot_simulate_here);
+  } else {
+    motion_.move();
+    if (!state_.problems.refused()) outcome_.call = at;
+  }
+  return block_.tokens.size();
+}
+
+std::size_t BlockWords::take_command(std::size_t at) {
+  Token const& token = block_.tokens[at];
+  if (block_.commands[*token.command].kind == grammar::CommandKind::filter) {
+    motion_.move();
+    auto const change = read_filter_change(block_, token, state_.channel, state_.problems);
+    if (change) state_.listener.command(*change);
+    return at + 1;
+  }
+  take_other_command(at, block_, state_);
+  return block_.tokens.size();
+}
+
+void BlockWords::take_g(Token const& token, std::string_view digits) {
+  auto const number = whole_number(digits);
+  if (!number) return refuse(token);
+  if (!chosen_.choose(*number)) return refuse(token, says::cannot_simulate_both);
+  auto const meaning = take_function(*number, state_.modal);
+  switch (meaning) {
+    case FunctionMeaning::nothing:
+      return;
+    case FunctionMeaning::dwell:
+      return motion_.moves() ? refuse(token, says::cannot_simulate_beside_dwell) : dwell_.begin(token);
+    case FunctionMeaning::ignored:
+      return state_.problems.ignore(block_, token, "G" + std::to_string(*number), says::not_simulated);
+    case FunctionMeaning::needs_tools:
+    case FunctionMeaning::needs_offsets:
+    case FunctionMeaning::exact_stop:
+    case FunctionMeaning::braking:
+    case FunctionMeaning::rounds_corners:
+    case FunctionMeaning::foreign:
+    case FunctionMeaning::unknown:
+      return refuse(token, refusal_of(meaning));
+  }
+}
+
+void BlockWords::take_m(Token const& token, std::string_view digits) {
+  auto const number = whole_number(digits);
+  if (!number) return refuse(token);
+  bool const returns = *number == 17 || *number == 29;
+  bool const ends = *number == 2 || *number == 30 || (returns && !in_subprogram_);
+  if (!returns && !ends) return ignore_technology(block_, token, state_.problems);
+  motion_.move();
+  if (ends) {
+    state_.end();
+  } else {
+    outcome_.returns = true;
+  }
+}
+
+/// F, S, I, J, K, R or an axis with its number.
+void BlockWords::take_value(Token const& token, std::string_view name, double value) {
+  auto const axis = state_.channel.axis(name);
+  if (dwell_.is_open() && (axis || name.front() == 'F')) return dwell_.take(token, value);
+  if (axis) return motion_.take_coordinate(token, *axis, value);
+  if (is_one_of("F", name)) return motion_.take_feed(token, value);
+  if (is_one_of("IJKR", name)) return motion_.take_arc_word(token, name.front(), value);
+  if (is_one_of("S", name)) return motion_.take_speed(token, value);
+  take_unused_value(block_, token, name, state_.problems);
+}
+
+void BlockWords::refuse(Token const& token, SentenceRef text) {
+  state_.problems.refuse(block_, token, text);
+}
+
+}  // namespace axisc::motion

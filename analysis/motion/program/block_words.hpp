@@ -1,0 +1,54 @@
+// What the words of a block say, one after the other.
+#pragma once
+
+#include "analysis/motion/program/block_dwell.hpp"
+#include "analysis/motion/program/block_motion.hpp"
+#include "analysis/motion/program/functions.hpp"
+#include "analysis/motion/program/nc_block.hpp"
+#include "analysis/motion/program/state.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace axisc::motion {
+
+/// What a block leaves to the program's flow.
+struct BlockOutcome {
+  std::optional<std::size_t> call;  ///< the word LL of a call
+  bool returns = false;             ///< the subprogram ends here (M17, M29)
+};
+
+/// Executes one block, once. Both arguments outlive this.
+class BlockWords {
+ public:
+  BlockWords(NcBlock const& block, ProgramState& state, bool in_subprogram)
+      : block_(block),
+        state_(state),
+        motion_(block, state),
+        dwell_(block, state),
+        in_subprogram_(in_subprogram) {}
+
+  BlockOutcome execute();
+
+ private:
+  std::size_t take(std::size_t at);
+  std::size_t take_address(std::size_t at);
+  std::size_t take_assignment(std::size_t at);
+  std::size_t take_call(std::size_t at);
+  std::size_t take_command(std::size_t at);
+  void take_g(Token const& token, std::string_view digits);
+  void take_m(Token const& token, std::string_view digits);
+  void take_value(Token const& token, std::string_view name, double value);
+  void refuse(Token const& token, SentenceRef text = says::cannot_simulate);
+
+  NcBlock const& block_;
+  ProgramState& state_;
+  BlockMotion motion_;
+  BlockDwell dwell_;
+  ChosenFunctions chosen_;
+  bool in_subprogram_;
+  BlockOutcome outcome_;
+};
+
+}  // namespace axisc::motion

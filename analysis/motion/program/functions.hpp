@@ -1,0 +1,43 @@
+// The G words of a program.
+#pragma once
+
+#include "analysis/motion/program/modal_words.hpp"
+#include "diagnostics/sentence.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace axisc::motion {
+
+/// What is left to do about a G word.
+enum class FunctionMeaning : std::uint8_t {
+  nothing,      ///< it is in force, or switches off what the simulation has not
+  dwell,        ///< the block says for how long
+  ignored,      ///< changes neither path nor filters
+  needs_tools,  ///< refused, as are the following
+  needs_offsets,
+  exact_stop,
+  braking,
+  rounds_corners,
+  foreign,  ///< no word of this control
+  unknown,
+};
+
+/// Puts in force what the function asks for.
+[[nodiscard]] FunctionMeaning take_function(int number, ModalWords& modal);
+/// Why a function is refused.
+[[nodiscard]] SentenceRef refusal_of(FunctionMeaning meaning);
+
+/// G words of one group count one after the other, so that a block has one of them.
+class ChosenFunctions {
+ public:
+  /// False where another word of the block excludes it.
+  [[nodiscard]] bool choose(int number);
+
+ private:
+  static constexpr std::size_t group_count = 6;
+  std::array<std::optional<int>, group_count> chosen_{};
+};
+
+}  // namespace axisc::motion

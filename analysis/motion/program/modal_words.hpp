@@ -1,0 +1,31 @@
+// What the words of a program leave in force for the blocks that follow.
+#pragma once
+
+#include "analysis/motion/path_block.hpp"
+#include "analysis/motion/point.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace axisc::motion {
+
+inline constexpr double mm_per_inch = 25.4;
+
+enum class MotionKind : std::uint8_t { rapid, line, clockwise, counterclockwise };
+
+struct ModalWords {
+  Point position{};  ///< where the path has come to, position units
+  MotionKind motion = MotionKind::line;
+  bool incremental = false;
+  bool inch = false;
+  char plane_first = 'X', plane_second = 'Y';
+  std::optional<double> feed;  ///< position units per minute, or per revolution
+  bool feed_per_revolution = false;
+  std::optional<double> speed;  ///< revolutions per minute
+  Slope slope = Slope::trapezoid;
+
+  /// Position units in the program's unit of length.
+  [[nodiscard]] double length_unit() const { return units_per_mm * (inch ? mm_per_inch : 1); }
+};
+
+}  // namespace axisc::motion

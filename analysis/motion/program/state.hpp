@@ -1,0 +1,27 @@
+// What all blocks of a program share.
+#pragma once
+
+#include "analysis/motion/path_listener.hpp"
+#include "analysis/motion/program/channel.hpp"
+#include "analysis/motion/program/modal_words.hpp"
+#include "analysis/motion/program/problems.hpp"
+#include "analysis/motion/program/variables.hpp"
+
+namespace axisc::motion {
+
+struct ProgramState {
+  ProgramChannel channel;
+  PathListener& listener;
+  ProgramProblems problems;
+  ProgramVariables variables{};
+  ModalWords modal{};
+  bool ended = false;
+
+  void end() {
+    ended = true;
+    problems.finish();
+    listener.end();
+  }
+};
+
+}  // namespace axisc::motion

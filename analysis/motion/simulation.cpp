@@ -1,0 +1,217 @@
+#include "analysis/motion/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace axisc::motion {
+namespace {
+
+constexpr std::uint64_t cycles_per_call = 1024;
+
+}  // namespace
+
+Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path, bool constant_velocity,
+                       SimulationListener& listener, SimulationLimits limits)
+    : runtime_(std::move(runtime)),
+      probe_(std::move(probe)),
+      listener_(listener),
+      meter_(runtime_.axis_count(), *this),
+      interpolator_(*this),
+      constant_velocity_(constant_velocity),
+      look_ahead_(std::move(path), constant_velocity, interpolator_),
+      limits_(std::move(limits)) {
+  learn_answers();
+  static_cast<void>(runtime_.reset({}));
+}
+
+void Simulation::learn_answers() {
+  auto answered = chain_answers(probe_);
+  if (auto const* const missing = std::get_if<NoAnswer>(&answered)) {
+    failure_ = SimulationFailure{
+        .status = AXISRT_OK, .command = {}, .blocking_axis = missing->axis, .endless_line = {}};
+    answers_.assign(runtime_.axis_count(), {});
+    return;
+  }
+  answers_ = std::get<std::vector<ChainAnswer>>(std::move(answered));
+}
+
+void Simulation::begin_pass(std::string command, std::uint32_t line) {
+  pass_ = {};
+  pass_.command = std::move(command);
+  pass_.line = line;
+}
+
+void Simulation::motion(ProgrammedBlock const& block) {
+  if (failure_) return;
+  open_pass();
+  look_ahead_.add(block);
+}
+
+void Simulation::open_pass() {
+  if (pass_open_) return;
+  pass_open_ = true;
+  pass_begin_ = cycles_;
+  if (tolerance_ > 0 && !constant_velocity_) pass_.tolerance = tolerance_;
+  meter_.begin(answers_, last_.nominal);
+  look_ahead_.begin(last_.nominal, ToleranceMonitor(probe_, answers_, tolerance_, limits_.working),
+                    acceleration_factor_);
+}
+
+void Simulation::command(FilterChange const& change) {
+  if (failure_) return;
+  finish_pass();
+  if (failure_) return;
+  // The filters have settled: their states are those of a reset to this position.
+  static_cast<void>(runtime_.reset(last_.nominal));
+  static_cast<void>(probe_.reset({}));
+  auto const status = std::max(runtime_.command(change.command), probe_.command(change.command));
+  if (status != AXISRT_OK) {
+    failure_ =
+        SimulationFailure{.status = status, .command = change.text, .blocking_axis = {}, .endless_line = {}};
+    return;
+  }
+  learn_answers();
+  if (!change.command.hsc) {
+    if (change.command.filter_switch != machine::FilterSwitch::unchanged) {
+      tolerance_ = 0;
+      acceleration_factor_ = 1;
+    }
+    if (change.command.filter_switch != machine::FilterSwitch::off) {
+      tolerance_ = change.tolerance.value_or(tolerance_);
+      acceleration_factor_ = change.command.acceleration_factor.value_or(acceleration_factor_);
+    }
+  }
+  begin_pass(change.text, change.line);
+}
+
+void Simulation::end() {
+  if (failure_) return;
+  finish_pass();
+}
+
+void Simulation::stop(double cycles, std::uint32_t line) {
+  if (failure_) return;
+  open_pass();
+  rest(cycles, line);
+}
+
+/// The path stops until the filters have settled, and for so long at least.
+void Simulation::rest(double cycles, std::uint32_t line) {
+  look_ahead_.stop();
+  if (failure_) return;
+  last_.velocity = 0;
+  if (!settled_) {
+    for (auto const& answer : answers_) cycles = std::max(cycles, answer.delay + answer.reach);
+  }
+  if (cycles > room()) return fail_for_length(line);
+  for (double n = 0; n < cycles && !failure_; n += 1) step(last_);
+  settled_ = true;
+}
+
+/// The path stops, and the filters settle.
+void Simulation::finish_pass() {
+  if (!pass_open_) return;
+  rest(0, last_line_);
+  meter_.finish();
+  close_blocks_before(~std::uint64_t{0});
+  pass_open_ = false;
+  pass_.cycles = static_cast<double>(cycles_ - pass_begin_);
+  if (pass_.blocks > 0 && !failure_) listener_.pass(pass_);
+}
+
+void Simulation::step(ContourPoint const& point) {
+  Point filtered{};
+  auto const status = runtime_.step(point.nominal, filtered);
+  if (status != AXISRT_OK && !failure_) {
+    failure_ = SimulationFailure{.status = status, .command = {}, .blocking_axis = {}, .endless_line = {}};
+  }
+  ++cycles_;
+  meter_.cycle(point, filtered);
+  if (limits_.working && cycles_ % cycles_per_call == 0) limits_.working();
+}
+
+double Simulation::room() const {
+  return failure_ ? 0 : static_cast<double>(limits_.most_cycles - std::min(limits_.most_cycles, cycles_));
+}
+
+void Simulation::no_room(PathBlock const& block) {
+  fail_for_length(block.line);
+}
+
+void Simulation::fail_for_length(std::uint32_t line) {
+  if (failure_) return;
+  failure_ = SimulationFailure{.status = AXISRT_OK, .command = {}, .blocking_axis = {}, .endless_line = line};
+}
+
+void Simulation::open_block(PathBlock const& block) {
+  if (!open_blocks_.empty() && open_blocks_.back().index >= block.index) return;
+  BlockSummary summary;
+  summary.index = block.index;
+  summary.line = block.line;
+  summary.label = block.label;
+  open_blocks_.push_back(std::move(summary));
+  ++pass_.blocks;
+  ++blocks_;
+}
+
+BlockSummary* Simulation::find_block(std::uint64_t index) {
+  if (open_blocks_.empty() || index < open_blocks_.front().index) return nullptr;
+  auto const at = index - open_blocks_.front().index;
+  return at < open_blocks_.size() ? &open_blocks_[at] : nullptr;
+}
+
+void Simulation::close_blocks_before(std::uint64_t index) {
+  while (!open_blocks_.empty() && open_blocks_.front().index < index) {
+    listener_.block(open_blocks_.front());
+    open_blocks_.pop_front();
+  }
+}
+
+void Simulation::sample(Point const& setpoint, double velocity, PathBlock const& block) {
+  if (failure_) return;
+  open_block(block);
+  settled_ = false;
+  last_.nominal = setpoint;
+  last_.velocity = velocity;
+  last_.block = block.index;
+  last_line_ = block.line;
+  step(last_);
+}
+
+void Simulation::corner(PathBlock const& block, PathBlock const* next, double block_cycles) {
+  if (failure_) return;
+  open_block(block);
+  if (auto* const summary = find_block(block.index)) summary->cycles = block_cycles;
+  ContourPoint point;
+  point.nominal = block.end;
+  point.block = block.index;
+  point.next_block = block.index;
+  if (next != nullptr) {
+    open_block(*next);
+    point.next_block = next->index;
+  }
+  meter_.corner(point);
+}
+
+void Simulation::take(PathSummary& summary, MeasuredPoint const& point) const {
+  for (std::size_t i = 0; i < runtime_.axis_count(); ++i) {
+    summary.axis_error[i] = std::max(summary.axis_error[i], point.axis_error[i]);
+  }
+  summary.deviation = std::max(summary.deviation, point.deviation);
+  if (point.lag) summary.lag = std::max(summary.lag, std::abs(*point.lag));
+}
+
+void Simulation::measured(MeasuredPoint const& point) {
+  close_blocks_before(point.point.block);
+  take(pass_, point);
+  auto* const block = find_block(point.point.block);
+  if (!point.point.is_corner) listener_.cycle(point, block != nullptr ? *block : BlockSummary{});
+  if (block == nullptr) return;
+  take(*block, point);
+  if (!point.point.is_corner) return;
+  auto* const next = find_block(point.point.next_block);
+  if (next != block && next != nullptr) take(*next, point);
+}
+
+}  // namespace axisc::motion

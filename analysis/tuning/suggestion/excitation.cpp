@@ -1,0 +1,79 @@
+#include "analysis/tuning/suggestion/excitation.hpp"
+
+#include "analysis/motion/velocity_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace axisc::tuning {
+namespace {
+
+std::vector<double> ramp_of(Task const& task) {
+  double const duration = task.velocity / task.acceleration;
+  motion::VelocityProfile const profile({.length = task.velocity * (duration + 2),
+                                         .velocity_in = 0,
+                                         .velocity_out = task.velocity,
+                                         .velocity_limit = task.velocity,
+                                         .acceleration = task.acceleration});
+  auto const last = static_cast<int>(std::ceil(duration));
+  std::vector<double> ramp;
+  double velocity = 0;
+  for (int n = 0; n < last; ++n) {
+    double const next = profile.way_at(n + 1) - profile.way_at(n);
+    ramp.push_back(next - velocity);
+    velocity = next;
+  }
+  if (task.velocity - velocity > 1e-9 * task.velocity) ramp.push_back(task.velocity - velocity);
+  return ramp;
+}
+
+}  // namespace
+
+Excitation::Excitation(Task const& task) : ramp_(ramp_of(task)) {
+  double const per_cycle = 2 * std::numbers::pi * task.cycle_time.seconds();
+  auto const unfiltered = drive_behind({});
+  for (auto const& resonance : task.resonances) {
+    double const change =
+        std::min(std::max(frequency_tolerance * resonance.frequency, 2 * resonance.uncertainty),
+                 resonance.frequency / 2);
+    Swinging one{.band = {.lowest = per_cycle * (resonance.frequency - change),
+                          .highest = per_cycle * (resonance.frequency + change),
+                          .least_damping = lowest_damping,
+                          .most_damping = highest_damping},
+                 .frequency = per_cycle * resonance.frequency,
+                 .damping = resonance.damping.value_or(lowest_damping)};
+    one.unfiltered_worst = largest_swing(unfiltered, one.band, 0);
+    one.unfiltered_own = swing(unfiltered, one.frequency, one.damping);
+    resonances_.push_back(one);
+  }
+}
+
+Drive Excitation::drive_behind(ImpulseResponse const& chain) const {
+  return {
+      .jumps = in_series({.taps = ramp_, .delay = 0}, chain).taps,
+      .rest = ramp_.size() - 1 + static_cast<std::size_t>(std::max(0.0, std::ceil(2 * chain.delay - 1e-6)))};
+}
+
+std::vector<Vibration> Excitation::after(ImpulseResponse const& chain) const {
+  auto const drive = drive_behind(chain);
+  std::vector<Vibration> found;
+  for (auto const& one : resonances_) {
+    double const worst = largest_swing(drive, one.band, negligible_vibration * one.unfiltered_worst);
+    found.push_back({.worst = worst / one.unfiltered_worst,
+                     .amplitude = swing(drive, one.frequency, one.damping),
+                     .unfiltered = one.unfiltered_own});
+  }
+  return found;
+}
+
+double Excitation::at_least_after(ImpulseResponse const& chain) const {
+  auto const drive = drive_behind(chain);
+  double worst = 0;
+  for (auto const& one : resonances_) {
+    worst = std::max(worst, swing_at_least(drive, one.band) / one.unfiltered_worst);
+  }
+  return worst;
+}
+
+}  // namespace axisc::tuning

@@ -1,0 +1,46 @@
+// What a filter shall do for an axis: which resonances it must not excite, and how far the contour may deviate.
+#pragma once
+
+#include "configuration/machine/machine.hpp"
+#include "design/filter_specification.hpp"
+#include "design/kernel_design.hpp"
+#include "design/units.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace axisc::tuning {
+
+struct Resonance {
+  double frequency = 0;             ///< Hz
+  std::optional<double> damping{};  ///< ratio, where known
+  double uncertainty = 0;           ///< of the frequency, Hz
+};
+
+/// What counts: the surface little vibration, accuracy little deviation, speed a short delay.
+enum class Goal : std::uint8_t { surface, accuracy, speed };
+
+/// Lengths are position units, velocities units per cycle.
+struct Task {
+  design::CycleTime cycle_time;
+  std::vector<Resonance> resonances;
+  double velocity = 0;
+  double acceleration = 0;  ///< with which the path reaches the velocity
+  double tolerance = 0;     ///< of the axis error
+  double radius = 0;        ///< of a circle on which the velocity keeps the tolerance
+  std::optional<Goal> goal = std::nullopt;
+  /// HSC: the control's build knows no FIR filters.
+  machine::KernelFamily family = machine::KernelFamily::fir;
+  design::Readings readings{};  ///< of the control: what it makes of its filters
+};
+
+/// A setpoint chain: standard filters one after the other, then a kernel.
+struct Chain {
+  std::vector<design::FilterSpecification> filters = {};
+  std::optional<design::KernelSpecification> kernel = std::nullopt;
+
+  friend bool operator==(Chain const&, Chain const&) = default;
+};
+
+}  // namespace axisc::tuning

@@ -1,0 +1,212 @@
+#include "axisc/answers/difference/compared_machine.hpp"
+
+#include "axisc/checking/machine_input.hpp"
+#include "axisc/checking/path_machine.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/workspace/inputs.hpp"
+#include "validator/values/list_reader.hpp"
+#include "validator/views/drive.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace axisc {
+
+namespace {
+
+bool is_image(std::string_view bytes) {
+  return bytes.substr(0, 4) == "AXIM";
+}
+
+/// Returns the content of a file that has been read already; other files come from `files`.
+class HeldFiles final : public configuration::Files {
+ public:
+  HeldFiles(configuration::Files& files, std::string path, std::string content)
+      : files_(files), path_(std::move(path)), content_(std::move(content)) {}
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override {
+    if (path == path_) return content_;
+    return files_.read(path);
+  }
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
+      std::string const& path, configuration::PieceReceiver const& receive) override {
+    return path == path_ ? Files::read_pieces(path, receive) : files_.read_pieces(path, receive);
+  }
+
+ private:
+  configuration::Files& files_;
+  std::string path_, content_;
+};
+
+std::vector<std::string> names_of(std::vector<ComparedAxis> const& axes,
+                                  std::vector<std::size_t> const& indices) {
+  std::vector<std::string> names;
+  names.reserve(indices.size());
+  for (auto const index : indices) names.push_back(axes[index].name);
+  return names;
+}
+
+std::string name_or_number(std::string const& name, std::size_t index) {
+  return name.empty() ? std::to_string(index + 1) : name;
+}
+
+class FromLists {
+ public:
+  explicit FromLists(ComparedMachine& side) : side_(side), machine_(*side.loaded) {}
+
+  void fill() {
+    side_.tells_all = true;
+    side_.cycle_time = machine_.cycle_time.value_or(design::CycleTime{});
+    side_.cycle_time_known = machine_.cycle_time.has_value();
+    side_.tells_channels = machine_.start_up.has_value() || machine_.machine_file.has_value();
+    for (std::size_t i = 0; i < machine_.axes.size(); ++i) add_axis(i);
+    for (std::size_t i = 0; i < machine_.groups.size(); ++i) add_channel(i);
+    if (machine_.start_up) add_channel_lists();
+    for (auto const& gantry : machine_.gantries) {
+      side_.gantries.push_back(
+          {.master = side_.axes[gantry.master].name, .slaves = names_of(side_.axes, gantry.slaves)});
+    }
+  }
+
+ private:
+  void add_axis(std::size_t index) {
+    auto const& axis = machine_.axes[index];
+    auto const& number = axis.merged.values.at("kopf.achs_nr");
+    auto const* const drive = validator::drive_of(axis);
+    ComparedAxis compared;
+    compared.name = axis.name;
+    if (number.set() && !number.unusable) compared.number = static_cast<std::uint32_t>(number.value.number);
+    compared.list = machine_.lists[axis.list].name;
+    compared.path = side_.sources[machine_.lists[axis.list].list.source].name();
+    compared.type = axis.type;
+    if (drive != nullptr) compared.drive = drive->word;
+    compared.values = &axis.merged.values;
+    compared.index = index;
+    side_.axes.push_back(std::move(compared));
+  }
+
+  void add_channel(std::size_t index) {
+    auto const& group = machine_.groups[index];
+    ComparedChannel channel;
+    channel.name = name_or_number(group.name, index);
+    channel.axes = names_of(side_.axes, group.axes);
+    for (auto const program : group.programs) {
+      channel.programs.push_back(
+          {.name = machine_.programs[program].name, .mark = machine_.programs[program].mark});
+    }
+    side_.channels.push_back(std::move(channel));
+  }
+
+  void add_channel_lists() {
+    for (auto const& channel : machine_.start_up->channels) {
+      auto& compared = side_.channels[channel.group];
+      for (auto const& axis : channel.list.axes) note_name(axis);
+      for (auto const& spindle : channel.list.spindles) {
+        note_name(spindle);
+        compared.spindles.push_back(axis_name(spindle.number));
+      }
+      for (auto const& pair : channel.list.pairs) {
+        compared.couplings.push_back(axis_name(pair.slave) + " = " + axis_name(pair.master));
+      }
+    }
+  }
+
+  void note_name(configuration::ChannelAxis const& named) {
+    if (!named.number || !named.name) return;
+    auto const axis = validator::axis_numbered(machine_, named.number->number);
+    if (axis) side_.axes[*axis].called.push_back(named.name->text);
+  }
+
+  [[nodiscard]] std::string axis_name(std::optional<configuration::ListCount> const& number) const {
+    if (!number) return "?";
+    auto const axis = validator::axis_numbered(machine_, number->number);
+    return axis ? side_.axes[*axis].name : std::to_string(number->number);
+  }
+
+  ComparedMachine& side_;
+  validator::LoadedMachine const& machine_;
+};
+
+/// The values that an image remembers, read again as one list, so that the same judgement applies to both sides.
+validator::EffectiveValues const& values_of(ComparedMachine& side, image::ImageAxis const& axis,
+                                            schema::Catalogue const& catalogue) {
+  std::string text;
+  for (auto const& value : axis.values) text.append(value.name).append(" ").append(value.value).append("\n");
+  auto const source = side.sources.add(SourceText(axis.name, std::move(text)));
+  auto read = validator::read_list(side.sources[source], catalogue);
+  auto& list = side.lists.emplace_back();
+  list.source = source;
+  list.catalogue = catalogue;
+  list.tree = std::move(read.tree);
+  list.readings = std::move(read.readings);
+  return side.merged.emplace_back(validator::merge_lists(nullptr, list, std::nullopt)).values;
+}
+
+void fill_from_image(ComparedMachine& side, schema::Catalogue const& catalogue) {
+  auto const& contents = side.image->contents;
+  side.cycle_time = contents.cycle_time;
+  side.tells_channels = contents.axes.size() > 1 && !contents.axes.front().name.empty();
+  for (std::size_t i = 0; i < contents.axes.size(); ++i) {
+    auto const& axis = contents.axes[i];
+    ComparedAxis compared;
+    compared.name = axis_label(contents, i);
+    compared.index = i;
+    compared.type = static_cast<machine::AxisType>(axis.type);
+    if (!axis.name.empty()) {
+      compared.values = &values_of(side, axis, catalogue);
+      compared.origins = &axis.values;
+      auto const& number = compared.values->at("kopf.achs_nr");
+      if (number.set()) compared.number = axis.number;
+    }
+    side.axes.push_back(std::move(compared));
+  }
+  for (std::size_t i = 0; i < contents.groups.size(); ++i) {
+    ComparedChannel channel;
+    channel.name = name_or_number(contents.groups[i].name, i);
+    channel.axes = names_of(side.axes, contents.groups[i].members);
+    side.channels.push_back(std::move(channel));
+  }
+}
+
+}  // namespace
+
+std::string ComparedMachine::place_of(ComparedAxis const& axis,
+                                      validator::EffectiveValue const& value) const {
+  if (!value.set()) return {};
+  if (axis.origins != nullptr) {
+    auto const& origin = (*axis.origins)[value.line - 1];
+    return origin.list + ":" + std::to_string(origin.line);
+  }
+  return sources[value.source].name() + ":" + std::to_string(value.line);
+}
+
+std::string ComparedMachine::written(validator::EffectiveValue const& value) const {
+  auto const place = value.value_place();
+  return place ? sources[place->source].utf8(place->span) : std::string();
+}
+
+std::unique_ptr<ComparedMachine> compared_machine(std::string const& input, CheckJob const& job,
+                                                  ErrorSink const& errors) {
+  auto side = std::make_unique<ComparedMachine>();
+  side->input = input;
+  auto const path = machine_input(input);
+  DiskFiles disk(path == "-");
+  auto read = disk.read(path);
+  auto const* const error = std::get_if<configuration::FileError>(&read);
+  bool const may_be_image = error != nullptr && (*error == configuration::FileError::image ||
+                                                 *error == configuration::FileError::binary);
+  if (error != nullptr && !may_be_image) throw unreadable(path, *error);
+  if (may_be_image || is_image(std::get<std::string>(read))) {
+    side->image = load_image(path);
+    fill_from_image(*side, options_for(job, path).catalogue);
+    return side;
+  }
+  HeldFiles files(disk, path, std::get<std::string>(std::move(read)));
+  auto const result = check_machine(job, path, files, errors, side->sources, side->loaded);
+  if (result) side->image = image_of(*result->machine, path);
+  if (side->loaded->axes.empty()) return nullptr;
+  FromLists(*side).fill();
+  return side;
+}
+
+}  // namespace axisc

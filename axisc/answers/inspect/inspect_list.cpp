@@ -1,0 +1,56 @@
+#include "axisc/answers/inspect/inspect_formats.hpp"
+#include "axisc/answers/text_table.hpp"
+#include "axisc/files/image_file.hpp"
+#include "diagnostics/terminal.hpp"
+
+#include <algorithm>
+
+namespace axisc::says {
+
+constexpr Sentence heading{"axis {axis} as compiled into {file}; after each value: where it came from",
+                           "Achse {axis}, wie in {file} übersetzt; nach jedem Wert: seine Herkunft"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+constexpr std::size_t widest_column = 60;
+
+void pad(std::string& line, std::size_t column) {
+  auto const now = display_width(line);
+  line.append(now < column ? column - now : 1, ' ');
+}
+
+}  // namespace
+
+std::string inspect_as_list(Shown const& shown, Language language) {
+  std::string text;
+  for (auto const index : shown.axes) {
+    auto const& axis = shown.image.axes[index];
+    std::size_t names = 0;
+    std::size_t values = 0;
+    for (auto const& value : axis.values) {
+      names = std::max(names, std::min(display_width(printable(value.name)), widest_column));
+      values = std::max(values, std::min(display_width(printable(value.value)), widest_column));
+    }
+    if (!text.empty()) text += "\n";
+    text += "# " +
+            render({.sentence = says::heading,
+                    .arguments = {{"axis", axis_label(shown.image, index)}, {"file", shown.file}}},
+                   language) +
+            "\n";
+    for (auto const& value : axis.values) {
+      std::string line = printable(value.name);
+      pad(line, names + 2);
+      line += printable(value.value);
+      pad(line, names + 2 + values + 2);
+      text += line + "(" + printable(value.list) + ":" + std::to_string(value.line) + ")\n";
+    }
+    text += "Ende\n";
+  }
+  return text;
+}
+
+}  // namespace axisc

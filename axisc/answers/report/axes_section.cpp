@@ -1,0 +1,112 @@
+#include "axisc/answers/inspect/inspect_formats.hpp"
+#include "axisc/answers/report/html.hpp"
+#include "axisc/answers/report/report_page.hpp"
+#include "axisc/asked/filter_symbols.hpp"
+#include "axisc/checking/path_machine.hpp"
+#include "configuration/machine/part.hpp"
+#include "diagnostics/format_number.hpp"
+#include "image/chain_figures.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg_text.hpp"
+
+#include <span>
+
+namespace axisc::says {
+
+constexpr Sentence axis_heading{"Axis {axis}", "Achse {axis}"};
+constexpr Sentence no_axis_filter{"No filter: setpoints pass unchanged.",
+                                  "Kein Filter: Sollwerte gehen unverändert durch."};
+constexpr Sentence kernel_is_off{
+    "As from start-up, where the FIR/HSC filter is off; what it does after #FILTER ON is under the contours.",
+    "Wie ab Hochlauf, wo der FIR-/HSC-Filter aus ist; was er nach #FILTER ON tut, steht bei den Konturen."};
+constexpr Sentence values_summary{"What its lists set, and where", "Was ihre Listen setzen, und wo"};
+constexpr Sentence values_name{"parameter", "Parameter"};
+constexpr Sentence values_value{"value", "Wert"};
+constexpr Sentence values_place{"from", "aus"};
+constexpr Sentence coefficients_summary{"Filters, coefficients and poles", "Filter, Koeffizienten und Pole"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+std::string values_of(ReportSubject const& subject, image::ImageAxis const& axis) {
+  pictures::Table table;
+  table.header = {subject.say(says::values_name), subject.say(says::values_value),
+                  subject.say(says::values_place)};
+  for (auto const& value : axis.values) {
+    table.rows.push_back({value.name, value.value, value.list + ":" + std::to_string(value.line)});
+  }
+  return table.rows.empty() ? std::string()
+                            : details(subject.say(says::values_summary), pictures::table_element(table));
+}
+
+/// One axis, compiled and executed alone: otherwise each axis would cost as much as the machine.
+class AxisAlone {
+ public:
+  AxisAlone(ReportSubject const& subject, std::size_t axis)
+      : file_(image_of(machine::part_of(*subject.machine, std::span(&axis, 1)).machine, subject.input)),
+        host_(start_runtime(subject.input, file_)),
+        plots_{.now = {.file = file_, .host = host_},
+               .before = subject.plots->before,
+               .axes = {0},
+               .language = subject.language} {}
+
+  [[nodiscard]] PlotSubject const& plots() const { return plots_; }
+  [[nodiscard]] image::ChainFigures figures() const {
+    return image::chain_figures(file_.bytes.bytes(), file_.contents, std::size_t{0});
+  }
+
+ private:
+  ImageFile file_;
+  image::RuntimeHost host_;
+  PlotSubject plots_;
+};
+
+/// What `inspect` says of the axis, without the head of the image.
+std::string coefficients_of(ReportSubject const& subject, std::size_t axis,
+                            image::ChainFigures const& figures) {
+  Shown const shown{.file = subject.input,
+                    .image = subject.plots->contents(),
+                    .axes = {axis},
+                    .figures = {figures},
+                    .memory = std::nullopt};
+  std::string const text = inspect_text(shown, subject.language);
+  auto const begin = text.find("\n\n");
+  std::string const own = begin == std::string::npos ? text : text.substr(begin + 2);
+  return details(subject.say(says::coefficients_summary),
+                 "<pre tabindex=\"0\">" + pictures::escaped(own) + "</pre>\n");
+}
+
+}  // namespace
+
+std::string axes_section(ReportSubject const& subject) {
+  if (!subject.plots || subject.machine == nullptr) return {};
+  auto const& contents = subject.plots->contents();
+  std::string text;
+  for (auto const axis : subject.plots->axes) {
+    auto const& compiled = contents.axes[axis];
+    text += heading(3, "axis-" + std::to_string(axis),
+                    subject.say(says::axis_heading, {{"axis", subject.plots->name(axis)}}));
+    AxisAlone const alone(subject, axis);
+    bool const has_filter = !compiled.filters.empty() || compiled.slot.has_value();
+    bool const starts_off = compiled.slot && compiled.slot->kernel && !compiled.slot->on_at_start;
+    if (starts_off) text += text_of("p", subject.say(says::kernel_is_off)) + "\n";
+    if (has_filter || subject.plots->axis_before(axis)) {
+      text += pictures::figure_element(response_figure(alone.plots(), {}), subject.language);
+      auto step = step_figure(alone.plots());
+      step.table = {};
+      text += pictures::figure_element(step, subject.language);
+    } else {
+      text += text_of("p", subject.say(says::no_axis_filter)) + "\n";
+    }
+    if (has_filter || !compiled.interface_filters.empty() || compiled.control) {
+      text += coefficients_of(subject, axis, alone.figures());
+    }
+    text += values_of(subject, compiled);
+  }
+  return text;
+}
+
+}  // namespace axisc

@@ -1,0 +1,77 @@
+#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/answers/report/html.hpp"
+#include "axisc/answers/report/report_page.hpp"
+#include "diagnostics/sentences.hpp"
+#include "presentation/pictures/svg_text.hpp"
+#include "validator/engine/rule.hpp"
+
+#include <set>
+
+namespace axisc::says {
+
+constexpr Sentence no_findings{"Nothing was found.", "Nichts gefunden."};
+constexpr Sentence more_findings{"{count} more findings: `axisc lint` prints all.",
+                                 "{count} weitere Befunde: `axisc lint` zeigt alle."};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+std::string severity_word(ReportSubject const& subject, Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return subject.say(says::word_error);
+    case Severity::warning:
+      return subject.say(says::word_warning);
+    case Severity::note:
+      return subject.say(says::word_note);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string findings_section(ReportSubject const& subject) {
+  if (subject.findings.empty()) return text_of("p", subject.say(says::no_findings)) + "\n";
+  std::string text;
+  std::size_t shown = 0;
+  for (auto const& finding : subject.findings) {
+    if (++shown > most_shown_findings) break;
+    std::string const code = code_text(finding.code);
+    text += R"(<section class="finding"><h3>)";
+    text += pictures::escaped(severity_word(subject, finding.severity));
+    text.append(": <a")
+        .append(pictures::attribute("href", "#" + code))
+        .append(">")
+        .append(code)
+        .append("</a> ");
+    text += pictures::escaped(finding.name);
+    text += "</h3>\n<pre tabindex=\"0\">";
+    text.append(pictures::escaped(finding.text)).append("</pre></section>\n");
+  }
+  if (subject.findings.size() <= most_shown_findings) return text;
+  return text +
+         text_of("p",
+                 subject.say(says::more_findings,
+                             {{"count", std::to_string(subject.findings.size() - most_shown_findings)}})) +
+         "\n";
+}
+
+std::string explanations_section(ReportSubject const& subject) {
+  std::set<Code> codes;
+  for (std::size_t i = 0; i < subject.findings.size() && i < most_shown_findings; ++i) {
+    codes.insert(subject.findings[i].code);
+  }
+  std::string text;
+  for (auto const code : codes) {
+    auto const* const rule = validator::find_rule(code);
+    if (rule == nullptr) continue;
+    text += "<section" + pictures::attribute("id", code_text(code)) + ">" +
+            html_of_markdown(explain_rule(*rule, 1, subject.language), 2) + "</section>\n";
+  }
+  return text;
+}
+
+}  // namespace axisc

@@ -1,0 +1,116 @@
+#include "axisc/answers/figures/path_figure.hpp"
+#include "axisc/answers/report/html.hpp"
+#include "axisc/answers/report/report_page.hpp"
+#include "axisc/answers/simulation/followed_program.hpp"
+#include "axisc/answers/simulation/simulate_formats.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/program_lines.hpp"
+#include "configuration/machine/part.hpp"
+#include "diagnostics/writers/writers.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg_text.hpp"
+#include "validator/loading/loader.hpp"
+
+#include <algorithm>
+
+namespace axisc::says {
+
+constexpr Sentence program_heading{"{program} in channel {group}", "{program} im Kanal {group}"};
+constexpr Sentence program_alone{"{program}", "{program}"};
+constexpr Sentence pass_column{"pass", "Durchgang"};
+constexpr Sentence pass_line{"line", "Zeile"};
+constexpr Sentence pass_command{"filters", "Filter"};
+constexpr Sentence more_passes{"The first {shown} of {count} passes are shown.",
+                               "Die ersten {shown} von {count} Durchgängen werden gezeigt."};
+constexpr Sentence not_followed{"The program is not followed:", "Dem Programm wird nicht gefolgt:"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+std::string preformatted(std::string const& text) {
+  return text.empty() ? std::string() : "<pre tabindex=\"0\">" + pictures::escaped(text) + "</pre>\n";
+}
+
+pictures::Table pass_table(ReportSubject const& subject, PathRecorder const& recorder) {
+  pictures::Table table;
+  table.header = {subject.say(says::pass_column), subject.say(says::pass_line)};
+  for (auto& name : summary_headings(subject.language)) table.header.push_back(std::move(name));
+  table.header.push_back(subject.say(says::pass_command));
+  for (auto const& pass : recorder.passes()) {
+    auto& row = table.rows.emplace_back();
+    row = {std::to_string(table.rows.size()), pass.line == 0 ? std::string() : std::to_string(pass.line)};
+    for (auto& cell : summary_cells(pass, subject.machine->cycle_time, subject.language)) {
+      row.push_back(std::move(cell));
+    }
+    row.push_back(pass_name(pass, subject.language));
+  }
+  return table;
+}
+
+/// What `simulate` says of the program, or why it cannot follow it.
+std::string followed(ReportSubject const& subject, std::size_t channel, std::string const& path) {
+  // The channel alone; what the program's commands need is added to it.
+  auto const& whole = *subject.machine;
+  auto part = machine::part_of(whole, whole.groups[channel].axes);
+  auto& machine = part.machine;
+  auto const own = std::find(part.groups.begin(), part.groups.end(), channel);
+  auto const group = static_cast<std::size_t>(own - part.groups.begin());
+  ProgramRequest const request{.machine_path = subject.input, .program_path = path};
+  ProgramLines program(path);
+  std::string problems;
+  TakeProblem const note = [&](Finding const& problem, SourceSet const& sources) {
+    problems += write_text(problem, sources, {.language = subject.language, .color = false}) + "\n";
+  };
+  if (!survey_program(program, request, machine, group, note)) {
+    return text_of("p", subject.say(says::not_followed)) + "\n" + preformatted(problems);
+  }
+  auto const& axes = machine.groups[group].axes;
+  std::size_t const up = axes.size() > 1 ? 1 : 0;
+  PathRecorder recorder(0, up);
+  static_cast<void>(follow_program(program, request, machine, group, recorder));
+  std::string text = preformatted(problems) + pictures::table_element(pass_table(subject, recorder));
+  if (recorder.pass_count() > recorder.passes().size()) {
+    text += text_of("p", subject.say(says::more_passes, {{"shown", std::to_string(recorder.passes().size())},
+                                                         {"count", std::to_string(recorder.pass_count())}})) +
+            "\n";
+  }
+  return text + pictures::figure_element(
+                    path_figure(recorder,
+                                {.program = std::string(validator::file_name(path)),
+                                 .axes = {machine.axes[axes[0]].name, machine.axes[axes[up]].name},
+                                 .cycle_seconds = machine.cycle_time.seconds(),
+                                 .tolerance_um = std::nullopt},
+                                subject.language),
+                    subject.language);
+}
+
+}  // namespace
+
+std::string programs_section(ReportSubject const& subject) {
+  if (!subject.plots || subject.machine == nullptr) return {};
+  std::string text;
+  std::size_t count = 0;
+  auto const& groups = subject.machine->groups;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (groups[i].axes.empty()) continue;
+    for (auto const& path : groups[i].programs) {
+      SentenceRef const name = groups[i].name.empty() || groups.size() == 1 ? SentenceRef(says::program_alone)
+                                                                            : says::program_heading;
+      text += heading(3, "program-" + std::to_string(count++),
+                      subject.say(name, {{"program", std::string(validator::file_name(path))},
+                                         {"group", groups[i].name}}));
+      try {
+        text += followed(subject, i, path);
+      } catch (Failure const& failure) {
+        // A filter that the runtime refuses, a file that is gone: the sentence takes the pictures' place.
+        text += text_of("p", failure.sentence(subject.language)) + "\n";
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace axisc

@@ -1,0 +1,139 @@
+#include "axisc/answers/report/report_page.hpp"
+
+#include "axisc/answers/report/html.hpp"
+#include "axisc/checking/report_format.hpp"
+#include "diagnostics/format_number.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg_text.hpp"
+
+namespace axisc::says {
+
+constexpr Sentence report_title{"Filters of {input}", "Filter von {input}"};
+constexpr Sentence verdict_errors{"Not ready: {counts}. Nothing is compiled while there are errors.",
+                                  "Nicht bereit: {counts}. Solange es Fehler gibt, wird nichts kompiliert."};
+constexpr Sentence verdict_warnings{"Can be compiled; look at the warnings: {counts}.",
+                                    "Lässt sich kompilieren; vorher die Warnungen ansehen: {counts}."};
+constexpr Sentence verdict_good{"Ready: {counts}.", "Bereit: {counts}."};
+constexpr Sentence counted{"errors: {errors}, warnings: {warnings}, notes: {notes}",
+                           "Fehler: {errors}, Warnungen: {warnings}, Hinweise: {notes}"};
+constexpr Sentence fact_cycle{"NC cycle time", "NC-Zykluszeit"};
+constexpr Sentence fact_axes{"axes", "Achsen"};
+constexpr Sentence fact_compiler{"compiled by", "kompiliert mit"};
+constexpr Sentence fact_sources{"SHA-256 of all sources", "SHA-256 aller Quellen"};
+constexpr Sentence facts_head{"machine", "Maschine"};
+constexpr Sentence facts_value{"value", "Wert"};
+constexpr Sentence lists_head{"list", "Liste"};
+constexpr Sentence content_of{"contents", "Inhalt"};
+constexpr Sentence part_findings{"Findings", "Befunde"};
+constexpr Sentence part_changes{"Changes", "Änderungen"};
+constexpr Sentence part_axes{"Axes", "Achsen"};
+constexpr Sentence part_channels{"Contours", "Konturen"};
+constexpr Sentence part_programs{"Programs", "Programme"};
+constexpr Sentence part_explanations{"Explanations", "Erklärungen"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+std::string_view style() {
+  return R"(.verdict{padding:.7rem 1rem;border-left:.4rem solid;background:var(--panel);font-weight:600}
+.error{border-color:#c1272d}.warning{border-color:#b36b00}.good{border-color:#1b7f4b}
+nav ul{list-style:none;padding:0;display:flex;flex-wrap:wrap;gap:.3rem 1.2rem}summary{cursor:pointer;color:var(--link);margin:.5rem 0}
+.finding{margin:1rem 0}.finding h3{margin:.2rem 0}code{background:var(--panel);padding:0 .2rem}
+
+@media print{nav{display:none}details{display:block}}
+)";
+}
+
+std::string hex(std::array<std::uint8_t, 32> const& digest) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (auto const byte : digest) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 0x0FU];
+  }
+  return text;
+}
+
+std::string verdict(ReportSubject const& subject) {
+  auto const& counts = subject.counts;
+  auto const counted = subject.say(says::counted, {{"errors", std::to_string(counts.errors)},
+                                                   {"warnings", std::to_string(counts.warnings)},
+                                                   {"notes", std::to_string(counts.notes)}});
+  auto const [kind, sentence] = counts.errors > 0 ? std::pair("error", SentenceRef(says::verdict_errors))
+                                : counts.warnings > 0
+                                    ? std::pair("warning", SentenceRef(says::verdict_warnings))
+                                    : std::pair("good", SentenceRef(says::verdict_good));
+  return "<p class=\"verdict " + std::string(kind) + "\">" +
+         pictures::escaped(subject.say(sentence, {{"counts", counted}})) + "</p>\n";
+}
+
+std::string facts(ReportSubject const& subject) {
+  if (!subject.plots) return {};
+  auto const& contents = subject.plots->contents();
+  pictures::Table table;
+  table.header = {subject.say(says::facts_head), subject.say(says::facts_value)};
+  table.rows = {{subject.say(says::fact_cycle),
+                 exact_number(contents.cycle_time.microseconds()).in(subject.language) + " µs"},
+                {subject.say(says::fact_axes), subject.plots->names()},
+                {subject.say(says::fact_compiler), "axisc " + contents.compiler_version},
+                {subject.say(says::fact_sources), hex(contents.source_digest)}};
+  pictures::Table lists;
+  lists.header = {subject.say(says::lists_head), "SHA-256"};
+  for (auto const& list : contents.lists) lists.rows.push_back({list.name, hex(list.sha256)});
+  return pictures::table_element(table) + pictures::table_element(lists);
+}
+
+struct Part {
+  std::string_view id;
+  SentenceRef name;
+  std::string html;
+};
+
+}  // namespace
+
+void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const& sources) {
+  subject.counts.add(finding.severity);
+  bool const is_shown = subject.findings.size() < most_shown_findings;
+  subject.findings.push_back(
+      {.severity = finding.severity,
+       .code = finding.code,
+       .name = finding.name,
+       .text = is_shown ? texts_of({finding}, sources, {.language = subject.language, .color = false})
+                        : std::string()});
+}
+
+std::string report_page(ReportSubject const& subject) {
+  std::vector<Part> const parts = {
+      {.id = "findings", .name = says::part_findings, .html = findings_section(subject)},
+      {.id = "changes", .name = says::part_changes, .html = changes_section(subject)},
+      {.id = "axes", .name = says::part_axes, .html = axes_section(subject)},
+      {.id = "contours", .name = says::part_channels, .html = channels_section(subject)},
+      {.id = "programs", .name = says::part_programs, .html = programs_section(subject)},
+      {.id = "explanations", .name = says::part_explanations, .html = explanations_section(subject)}};
+  std::string const title = subject.say(says::report_title, {{"input", subject.input}});
+  std::string text = "<!doctype html>\n<html lang=\"";
+  text += subject.language == Language::german ? "de" : "en";
+  text += "\"><head><meta charset=\"utf-8\">\n";
+  text += R"(<meta name="viewport" content="width=device-width,initial-scale=1">)";
+  text += "\n" + text_of("title", title) + "\n<style>\n";
+  text.append(pictures::page_style()).append(style());
+  text += "</style></head>\n<body><main>\n" + text_of("h1", title) + "\n" + verdict(subject) + facts(subject);
+  text += "<nav" + pictures::attribute("aria-label", subject.say(says::content_of)) + "><ul>";
+  for (auto const& part : parts) {
+    if (part.html.empty()) continue;
+    text += "<li><a href=\"#" + std::string(part.id) + "\">" + pictures::escaped(subject.say(part.name)) +
+            "</a></li>";
+  }
+  text += "</ul></nav>\n";
+  for (auto const& part : parts) {
+    if (!part.html.empty()) text += heading(2, part.id, subject.say(part.name)) + part.html;
+  }
+  text += "</main>\n";
+  if (subject.plots) text += pictures::zoom_part(subject.language);
+  return text + "</body></html>\n";
+}
+
+}  // namespace axisc

@@ -1,0 +1,56 @@
+// The acceptance report of a machine as one HTML page: findings, axes, contours and changes, readable without a network and
+// without scripts.
+#pragma once
+
+#include "axisc/answers/difference/diff_formats.hpp"
+#include "axisc/answers/figures/plots.hpp"
+#include "diagnostics/finding.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc {
+
+/// A finding as the page shows it.
+struct ReportedFinding {
+  Severity severity = Severity::error;
+  Code code{};
+  std::string_view name;
+  std::string text;  ///< as `lint` prints it
+};
+
+/// What the page is about.
+struct ReportSubject {
+  std::string input;
+  std::vector<ReportedFinding> findings;
+  FindingCounts counts;
+  machine::Machine const* machine = nullptr;  ///< null after errors, and of an image
+  std::optional<PlotSubject> plots;           ///< none after errors
+  ShownDifference const* difference = nullptr;
+  ContourRequest contour;
+  Language language = Language::english;
+
+  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
+    return render({.sentence = text, .arguments = std::move(arguments)}, language);
+  }
+};
+
+/// Findings beyond these are counted only: longer pages are not read.
+inline constexpr std::size_t most_shown_findings = 500;
+
+/// Counts a finding and keeps it as the page shows it.
+void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const& sources);
+
+/// The whole document. Cost: some milliseconds per axis.
+[[nodiscard]] std::string report_page(ReportSubject const& subject);
+
+// Its parts, each with its heading.
+[[nodiscard]] std::string findings_section(ReportSubject const& subject);
+[[nodiscard]] std::string changes_section(ReportSubject const& subject);
+[[nodiscard]] std::string axes_section(ReportSubject const& subject);
+[[nodiscard]] std::string channels_section(ReportSubject const& subject);
+[[nodiscard]] std::string programs_section(ReportSubject const& subject);
+[[nodiscard]] std::string explanations_section(ReportSubject const& subject);
+
+}  // namespace axisc

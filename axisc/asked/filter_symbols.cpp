@@ -1,0 +1,55 @@
+#include "axisc/asked/filter_symbols.hpp"
+
+#include "schema/catalogue.hpp"
+
+namespace axisc {
+
+namespace {
+
+std::string_view word_of(std::string_view parameter, int number) {
+  for (auto const& symbol : schema::parameter(schema::find(parameter).parameter).symbols) {
+    if (symbol.number == number) return symbol.word;
+  }
+  return "?";
+}
+
+}  // namespace
+
+std::string_view type_word(design::FilterType type) {
+  auto const* const kind = design::find_filter_kind(static_cast<int>(type));
+  return kind == nullptr ? "?" : kind->word;
+}
+
+std::string_view prototype_word(design::Prototype prototype) {
+  return word_of("filter[0].prototype", static_cast<int>(prototype));
+}
+
+std::string_view mode_word(machine::StageMode mode) {
+  return word_of("lr_param.improved_position_control.stage[0].mode", static_cast<int>(mode));
+}
+
+std::string filter_path(image::ImageFilter const& filter, bool interface) {
+  return (interface ? "lr_param.add_interface.filter[" : "filter[") + std::to_string(filter.index) + "]";
+}
+
+std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis, image::ImageFilter const& filter,
+                                           bool interface) {
+  auto const prefix = filter_path(filter, interface) + ".";
+  std::vector<image::ImageValue> settings;
+  for (auto const& value : axis.values) {
+    if (value.name.substr(0, prefix.size()) == prefix) settings.push_back(value);
+  }
+  return settings;
+}
+
+std::string hexadecimal(std::span<std::uint8_t const> bytes) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (auto const byte : bytes) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 0xFU];
+  }
+  return text;
+}
+
+}  // namespace axisc

@@ -1,0 +1,32 @@
+// Symbols of axis lists for the numbers stored in an image.
+#pragma once
+
+#include "design/filter_kinds.hpp"
+#include "image/image_contents.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc {
+
+/// "LOWPASS".
+[[nodiscard]] std::string_view type_word(design::FilterType type);
+/// "CRIT_DAMPING".
+[[nodiscard]] std::string_view prototype_word(design::Prototype prototype);
+
+/// "DIRECT".
+[[nodiscard]] std::string_view mode_word(machine::StageMode mode);
+
+/// `filter[0]`, or `lr_param.add_interface.filter[0]`.
+[[nodiscard]] std::string filter_path(image::ImageFilter const& filter, bool interface);
+
+/// What the lists set for one filter, in the order of the lines.
+[[nodiscard]] std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis,
+                                                         image::ImageFilter const& filter, bool interface);
+
+/// "0123abcd…".
+[[nodiscard]] std::string hexadecimal(std::span<std::uint8_t const> bytes);
+
+}  // namespace axisc

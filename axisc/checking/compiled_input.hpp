@@ -1,0 +1,26 @@
+// An image, or the image of a machine that is compiled in memory.
+#pragma once
+
+#include "axisc/checking/path_machine.hpp"
+#include "axisc/files/image_file.hpp"
+
+#include <optional>
+#include <string>
+
+namespace axisc {
+
+struct InputImage {
+  ImageFile image;
+  std::optional<CheckedMachine> machine;  ///< that it was compiled from; an image is read as it is
+
+  /// Of a list in its machine, see CheckedMachine.
+  [[nodiscard]] std::optional<std::string> axis() const { return machine ? machine->axis : std::nullopt; }
+  [[nodiscard]] std::optional<std::string> group() const { return machine ? machine->group : std::nullopt; }
+};
+
+/// Of a list, a machine file, a start-up list, a project, the only machine in a folder, or an image. After errors in lists
+/// there is none. Failure for what cannot be read or compiled.
+[[nodiscard]] std::optional<InputImage> compiled_input(MachineRequest const& request,
+                                                       ErrorSink const& errors);
+
+}  // namespace axisc

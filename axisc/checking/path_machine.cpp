@@ -1,0 +1,146 @@
+#include "axisc/checking/path_machine.hpp"
+
+#include "axisc/checking/compilable.hpp"
+#include "axisc/checking/machine_input.hpp"
+#include "axisc/workspace/inputs.hpp"
+#include "codegen/image_writer.hpp"
+#include "validator/commands/command_check.hpp"
+
+#include <algorithm>
+
+namespace axisc::says {
+
+constexpr Sentence not_a_command{"\"{value}\" is not a #FILTER command: {reason}",
+                                 "\"{value}\" ist kein #FILTER-Befehl: {reason}"};
+constexpr Sentence no_path_axes{"{file} has no group of axes that could move on a path",
+                                "{file} hat keine Gruppe von Achsen, die eine Bahn fahren könnten"};
+constexpr Sentence too_many_axes{"group {group} has {axes} axes; a path has at most {limit}",
+                                 "Gruppe {group} hat {axes} Achsen; eine Bahn hat höchstens {limit}"};
+constexpr Sentence unknown_group{"there is no group \"{group}\"; the groups are {groups}",
+                                 "es gibt keine Gruppe \"{group}\"; die Gruppen sind {groups}"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+validator::CommandLimits command_limits(machine::Machine const& machine, machine::MachineGroup const& group) {
+  validator::CommandLimits limits{.cycle_time = machine.cycle_time};
+  for (auto const axis : group.axes) {
+    auto const& kernel = machine.axes[axis].kernel;
+    if (!kernel) continue;
+    limits.time_delay = limits.time_delay || kernel->specification.type == design::KernelType::time_delay;
+    limits.readings.kernels = kernel->specification.reading;
+    limits.readings.cycle_time = kernel->specification.cycle_time;
+  }
+  return limits;
+}
+
+Belonging machine_of_input(MachineRequest const& request, CheckJob const& job, configuration::Files& files) {
+  auto const path = machine_input(request.input);
+  if (request.alone || path == "-") return {.machine = path, .name = path};
+  return machine_of(files, path, [&job](std::string const& input) { return options_for(job, input); });
+}
+
+std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded, SourceSet const& sources,
+                                        std::string const& list) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < loaded.axes.size(); ++i) {
+    if (sources[loaded.lists[loaded.axes[i].list].list.source].name() != list) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+std::optional<CheckedMachine> checked_machine(MachineRequest const& request, ErrorSink const& errors) {
+  SettingsFinder settings;
+  CheckJob job;
+  job.options.cycle_time = request.cycle_time;
+  job.settings = &settings;
+  auto disk = std::make_unique<DiskFiles>(request.input == "-");
+  auto const [path, list] = machine_of_input(request, job, *disk);
+  SourceSet sources;
+  std::optional<validator::LoadedMachine> loaded;
+  auto result = check_machine(job, path, *disk, errors, sources, loaded);
+  if (!result) return std::nullopt;
+  require_cycle_time(path, *result);
+  add_settings_files(settings, path, result->files);
+  CheckedMachine checked{
+      .disk = std::move(disk), .machine = *std::move(result->machine), .files = std::move(result->files)};
+  if (path == list) return checked;
+  auto const axis = axis_of_list(*loaded, sources, list);
+  if (!axis) return checked;
+  checked.axis = checked.machine.axes[*axis].name;
+  for (auto const& group : checked.machine.groups) {
+    bool const has_axis = std::find(group.axes.begin(), group.axes.end(), *axis) != group.axes.end();
+    if (has_axis) checked.group = group.name;
+  }
+  return checked;
+}
+
+ImageFile image_of(machine::Machine const& machine, std::string const& path) {
+  auto const bytes = codegen::write_image(machine, {});
+  auto contents = image::read_image(bytes);
+  if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
+  return {.bytes = codegen::AlignedBytes(bytes),
+          .contents = std::get<image::ImageContents>(std::move(contents))};
+}
+
+motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup const& group,
+                                   std::string const& path) {
+  if (group.axes.size() > motion::most_axes) {
+    throw Failure({.sentence = says::too_many_axes,
+                   .arguments = {{"group", group.name},
+                                 {"axes", std::to_string(group.axes.size())},
+                                 {"limit", std::to_string(motion::most_axes)}}});
+  }
+  auto runtime = motion::GroupRuntime::create(image.bytes.bytes(), image.contents, group.axes);
+  if (auto const* const status = std::get_if<axisrt_status>(&runtime)) throw unusable_image(path, *status);
+  return std::get<motion::GroupRuntime>(std::move(runtime));
+}
+
+std::size_t chosen_group(machine::Machine const& machine, std::optional<std::string> const& name,
+                         std::string const& path) {
+  std::string known;
+  for (std::size_t i = 0; i < machine.groups.size(); ++i) {
+    auto const& group = machine.groups[i];
+    if (group.axes.empty()) continue;
+    if (!name || group.name == *name) return i;
+    known += (known.empty() ? "" : ", ") + group.name;
+  }
+  if (!name || known.empty()) {
+    throw Failure({.sentence = says::no_path_axes, .arguments = {{"file", path}}});
+  }
+  throw Failure({.sentence = says::unknown_group, .arguments = {{"group", *name}, {"groups", known}}});
+}
+
+machine::FilterCommand read_filter_command(machine::Machine const& machine,
+                                           machine::MachineGroup const& group, std::string const& text,
+                                           Language language) {
+  auto const checked = validator::parse_filter_command(text, command_limits(machine, group));
+  if (checked.command && checked.mistakes.empty()) return *checked.command;
+  auto const reason =
+      checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
+  throw Failure({.sentence = says::not_a_command, .arguments = {{"value", text}, {"reason", reason}}});
+}
+
+motion::FilterCommandReader filter_command_reader(machine::Machine const& machine,
+                                                  machine::MachineGroup const& group) {
+  return [limits = command_limits(machine, group)](grammar::NcCommand const& command, std::string_view text) {
+    auto const checked = validator::check_command(command, text, limits, validator::Variables::refused);
+    motion::FilterCommandReading reading{.command = checked.command, .mistakes = {}};
+    for (validator::CommandMistake const& mistake : checked.mistakes) {
+      reading.mistakes.push_back({.code = mistake.code, .span = mistake.span, .message = mistake.message});
+    }
+    return reading;
+  };
+}
+
+std::vector<machine::FilterCommand> filters_on() {
+  using machine::FilterCommand;
+  using machine::FilterSwitch;
+  return {FilterCommand{.filter_switch = FilterSwitch::on, .parameters = {}},
+          FilterCommand{.filter_switch = FilterSwitch::on, .hsc = true, .parameters = {}}};
+}
+
+}  // namespace axisc

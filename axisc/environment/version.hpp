@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace axisc {
+
+/// "axisc 0.2.0 (commit 0123456789ab, GCC 12.2.0; …)" with a line end.
+[[nodiscard]] std::string version_text();
+
+}  // namespace axisc

@@ -1,0 +1,70 @@
+// Open documents take the place of the files on the disk.
+#pragma once
+
+#include "axisc/workspace/asked_files.hpp"
+#include "configuration/files.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace axisc {
+
+struct Document {
+  std::string uri;   ///< as the client writes it
+  std::string path;  ///< normalised
+  std::string text;  ///< UTF-8
+  std::optional<std::int64_t> version = {};
+};
+
+using Documents = std::map<std::string, Document>;  ///< by URI
+
+/// The open documents by their paths: made where one is opened or closed, not for each question.
+struct OpenPaths {
+  explicit OpenPaths(Documents const& documents);
+
+  std::map<std::string, Document const*> by_path;
+  std::multimap<std::string, Document const*> by_name;       ///< the last part of the path
+  std::map<std::string, std::vector<std::string>> names_in;  ///< by folder, with `/` at the end
+};
+
+class Buffers final : public configuration::Files {
+ public:
+  /// Both outlive this object; the documents do not change meanwhile.
+  Buffers(Documents const& documents, configuration::Files& disk)
+      : Buffers(std::make_shared<OpenPaths const>(documents), disk) {}
+  Buffers(std::shared_ptr<OpenPaths const> open, configuration::Files& disk)
+      : disk_(disk), open_(std::move(open)) {}
+
+  /// The open document of a file, however its path is written; null for others.
+  [[nodiscard]] Document const* document(std::string const& path) const;
+  /// That of the open document, as the client writes it, else one of the path.
+  [[nodiscard]] std::string uri(std::string const& path) const;
+  /// Its text was given out.
+  [[nodiscard]] bool has_read(Document const& document) const { return read_.contains(&document); }
+  /// The same files, of which nothing has been asked yet.
+  [[nodiscard]] Buffers anew() const { return {open_, disk_}; }
+  /// What was asked for, whether it is there or not.
+  [[nodiscard]] AskedFiles const& asked() const { return asked_; }
+
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
+      std::string const& path, configuration::PieceReceiver const& receive) override;
+  [[nodiscard]] bool is_file(std::string const& path) override;
+  [[nodiscard]] std::vector<std::string> names_in(std::string const& folder) override;
+  [[nodiscard]] bool is_same(std::string const& one, std::string const& other) override;
+
+ private:
+  configuration::Files& disk_;
+  std::shared_ptr<OpenPaths const> open_;
+  std::set<Document const*> read_;
+  mutable AskedFiles asked_;
+};
+
+}  // namespace axisc

@@ -1,0 +1,22 @@
+// Which files `--fix` and `fmt` may change.
+#pragma once
+
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace axisc {
+
+/// Those that the user names, and those below a folder that he names; the folder of a machine file counts as named. A
+/// machine file, which may come from anybody, cannot name others. Links are resolved first.
+class ChangeableFiles {
+ public:
+  explicit ChangeableFiles(std::vector<std::string> const& named);
+  [[nodiscard]] bool contains(std::string const& path) const;
+
+ private:
+  std::unordered_set<std::string> files_;
+  std::unordered_set<std::string> folders_;
+};
+
+}  // namespace axisc

@@ -1,0 +1,54 @@
+#include "axisc/workspace/judged_inputs.hpp"
+
+#include "system/path.hpp"
+#include "validator/loading/loader.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace axisc {
+
+namespace {
+
+/// The folder that is an input and holds the file, with `/` at the end.
+std::string named_folder(Inputs const& inputs, std::string const& path) {
+  std::string longest;
+  for (auto const& named : inputs.named) {
+    auto folder = validator::key_of(named);
+    if (folder == ".") continue;
+    if (!folder.ends_with('/')) folder += '/';
+    if (path.starts_with(folder) && folder.size() > longest.size()) longest = std::move(folder);
+  }
+  return longest;
+}
+
+}  // namespace
+
+void judge_in_machines(Inputs& inputs, configuration::Files& files, OptionsOf const& options) {
+  Documents const no_documents;
+  Buffers buffers(no_documents, files);
+  MachineSearch search(options);
+  std::unordered_set<std::string> const whole(inputs.paths.begin(), inputs.paths.end());
+  std::vector<std::string> judged;
+  for (auto const& path : inputs.paths) {
+    auto const from = inputs.found.contains(path) ? std::optional(named_folder(inputs, path)) : std::nullopt;
+    auto belonging =
+        path == "-" ? Belonging{.machine = path, .name = path} : search.machine_of(buffers, path, from);
+    if (belonging.machine == path) {
+      judged.push_back(path);
+      continue;
+    }
+    // The machine is an input of its own: it says everything.
+    if (whole.contains(belonging.machine)) continue;
+    auto const [shown, is_first] = inputs.shown.try_emplace(belonging.machine);
+    if (is_first) judged.push_back(belonging.machine);
+    shown->second.push_back(std::move(belonging.name));
+  }
+  inputs.paths = std::move(judged);
+}
+
+}  // namespace axisc

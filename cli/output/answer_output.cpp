@@ -1,0 +1,52 @@
+#include "cli/output/answer_output.hpp"
+
+#include "system/process.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli::says {
+
+constexpr Sentence format_of_text{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
+constexpr Sentence format_of_csv{"output format (default: csv)", "Ausgabeformat (Standardwert: csv)"};
+constexpr Sentence format_of_markdown{"output format (default: markdown)",
+                                      "Ausgabeformat (Standardwert: markdown)"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+void declare_format(CommandLine& command_line, presentation::Format& format, Tables tables) {
+  using presentation::Format;
+  SentenceRef const meaning = format == Format::csv        ? says::format_of_csv
+                              : format == Format::markdown ? says::format_of_markdown
+                                                           : says::format_of_text;
+  if (tables == Tables::some) {
+    command_line.choice("--format",
+                        {{"text", Format::text},
+                         {"json", Format::json},
+                         {"csv", Format::csv},
+                         {"markdown", Format::markdown},
+                         {"html", Format::html}},
+                        format, meaning);
+  } else {
+    command_line.choice("--format",
+                        {{"text", Format::text},
+                         {"json", Format::json},
+                         {"markdown", Format::markdown},
+                         {"html", Format::html}},
+                        format, meaning);
+  }
+}
+
+void print(presentation::Document const& answer, presentation::Format format, Invocation const& invocation,
+           CommandLine const& command_line) {
+  constexpr std::size_t narrowest = 40;
+  constexpr std::size_t usual = 80;
+  presentation::WriterOptions const options{
+      .language = invocation.language,
+      .width = std::max(system::terminal_width().value_or(usual), narrowest),
+      .color = use_color(command_line.color(), system::Stream::output)};
+  invocation.streams.out.write(presentation::write(answer, format, options));
+}
+
+}  // namespace axisc::cli

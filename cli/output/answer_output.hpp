@@ -1,0 +1,20 @@
+// Prints answers in the format that the user wants. Every command that answers a question has the same formats.
+#pragma once
+
+#include "cli/options/command_line.hpp"
+#include "cli/options/invocation.hpp"
+#include "presentation/writers.hpp"
+
+#include <cstdint>
+
+namespace axisc::cli {
+
+enum class Tables : std::uint8_t { none, some };
+
+/// `--format text|json|csv|markdown|html`; csv where the answer has tables. The value before is the default.
+void declare_format(CommandLine& command_line, presentation::Format& format, Tables tables = Tables::some);
+
+void print(presentation::Document const& answer, presentation::Format format, Invocation const& invocation,
+           CommandLine const& command_line);
+
+}  // namespace axisc::cli

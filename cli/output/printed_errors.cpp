@@ -1,0 +1,22 @@
+#include "cli/output/printed_errors.hpp"
+
+#include "axisc/checking/report_format.hpp"
+
+namespace axisc::cli {
+
+ErrorSink printed_errors(Invocation const& invocation, bool color) {
+  return {.language = invocation.language,
+          .take = [&err = invocation.streams.err,
+                   write = WriteOptions{.language = invocation.language, .color = color}](
+                      std::vector<Finding> const& errors, SourceSet const& sources) {
+            err.write(texts_of(errors, sources, write));
+          }};
+}
+
+TakeProblem printed_problems(Invocation const& invocation, bool color) {
+  return [errors = printed_errors(invocation, color)](Finding const& problem, SourceSet const& sources) {
+    errors.take({problem}, sources);
+  };
+}
+
+}  // namespace axisc::cli

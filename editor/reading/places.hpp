@@ -1,0 +1,47 @@
+// Places as the protocol writes them.
+#pragma once
+
+#include "axisc/workspace/buffers.hpp"
+#include "diagnostics/source_text.hpp"
+#include "editor/reading/text_positions.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace axisc::editor {
+
+using Json = nlohmann::json;
+
+class Places {
+ public:
+  /// All outlive this object.
+  Places(SourceSet const& sources, Buffers const& buffers, PositionEncoding encoding)
+      : sources_(sources), buffers_(buffers), encoding_(encoding) {}
+
+  [[nodiscard]] std::string uri(Place const& place) const;
+  [[nodiscard]] Json range(Place const& place) const;
+  /// URI and range.
+  [[nodiscard]] Json location(Place const& place) const;
+
+ private:
+  [[nodiscard]] Json position(SourceId source, Position at) const;
+
+  SourceSet const& sources_;
+  Buffers const& buffers_;
+  PositionEncoding encoding_;
+  /// The lines with a CR alone, one entry for each: it ends a line for the protocol and not for a list.
+  mutable std::map<SourceId, std::vector<std::uint32_t>> lone_returns_;
+};
+
+[[nodiscard]] Json position_json(TextPosition position);
+[[nodiscard]] Json range_json(TextPosition begin, TextPosition end);
+
+/// The one edit that makes `after` from `before`; an empty array for equal texts.
+[[nodiscard]] Json edits_between(std::string_view before, std::string_view after, PositionEncoding encoding);
+
+}  // namespace axisc::editor
