@@ -25,11 +25,13 @@ struct Excerpt {
   Encoding encoding = Encoding::utf8;  ///< of the whole text
 };
 
+class SourceText;
+
 /// A list inside another file: the text of a CDATA section.
 struct Window {
-  std::shared_ptr<std::string const> file;  ///< all of its bytes
-  Span span;                                ///< the list in it
-  Encoding encoding = Encoding::utf8;       ///< of the file
+  SourceText const& file;
+  Span span;                           ///< the list in it
+  Encoding encoding = Encoding::utf8;  ///< of the file
 };
 
 /// A piece of a list, and the bytes of its file that say it: a name or a value.
@@ -56,8 +58,8 @@ class SourceText {
   /// Offsets count bytes of the excerpt; lines count lines of the whole text.
   SourceText(std::string name, Excerpt excerpt);
   /// Offsets count bytes from the begin of the line in which the window begins; lines and columns are those of the file.
-  /// The file is not copied.
-  SourceText(std::string name, Window window);
+  /// The file is not copied, and its lines are counted once for all of its windows.
+  SourceText(std::string name, Window const& window);
   /// bytes() are those of the file, a line end, and the list, where text_begin() is. Places in the list are shown as the
   /// lines and columns of the file that say it; such a text is not edited.
   SourceText(std::string name, Translation translation);

@@ -9,7 +9,9 @@
 #include "analysis/motion/velocity_profile.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,9 +45,10 @@ struct TriedCorner {
 
 /// What to measure of a path.
 struct TrialSpan {
-  double from = 0, to = 0;     ///< cycles
-  double phase = 0;            ///< setpoints come so much after whole cycles, 0..1
-  bool looks_between = false;  ///< also halfway between setpoints and corners
+  double from = 0, to = 0;  ///< cycles
+  double phase = 0;         ///< setpoints come so much after whole cycles, 0..1
+  /// A tolerance: also between setpoints and corners, more closely where errors come near it.
+  std::optional<double> proves = std::nullopt;
 };
 
 class PathTrial final : private MeasuredSink {
@@ -68,7 +71,23 @@ class PathTrial final : private MeasuredSink {
   void run(std::span<TimedPiece const> path, std::span<TriedCorner> corners, TrialSpan const& span);
 
  private:
+  /// A point of the path that the meter was told of.
+  struct Looked {
+    TimedPiece const* piece = nullptr;
+    double way = 0;
+
+    [[nodiscard]] double place() const { return piece->place + way; }
+  };
+  /// On a block.
+  struct Sample {
+    double along = 0;
+    double error = 0;
+  };
+
   void measured(MeasuredPoint const& point) override;
+  double take(MeasuredPoint const& point);
+  void look_between(MeasuredPoint const& point, Segment const& block, Sample const& a, Sample const& b,
+                    int halvings);
   [[nodiscard]] bool is_near(TriedCorner const& corner, double time) const;
 
   GroupRuntime* runtime_;
@@ -76,6 +95,10 @@ class PathTrial final : private MeasuredSink {
   ContourMeter meter_;
   std::span<TriedCorner> corners_;
   std::function<void()> working_;
+  std::deque<Looked> pending_;  ///< not measured yet
+  std::optional<double> proves_;
+  std::optional<Looked> before_;  ///< the point measured last
+  double error_before_ = 0;
   double time_of_first_ = 0;  ///< of the meter's first setpoint, cycles of the path
   double reach_ = 0, spread_ = 0, latest_ = 0;
   bool alike_ = true;

@@ -1,5 +1,7 @@
 #include "analysis/motion/tolerance.hpp"
 
+#include "analysis/motion/searched_spans.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -155,11 +157,17 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
     // A corner bends most where it lies on a cycle: found so, its velocity holds for any time.
     bool const is_slowed = corners[cells_[i]].at.limits();
     bool const aligns = trial == Trial::search && is_slowed;
-    trial_->run(path.pieces, tried_,
-                {.from = first,
-                 .to = last,
-                 .phase = aligns ? phase_of(tried_[i].time) : 0,
-                 .looks_between = trial == Trial::proof});
+    TrialSpan const span{.from = first,
+                         .to = last,
+                         .phase = aligns ? phase_of(tried_[i].time) : 0,
+                         .proves = trial == Trial::proof ? std::optional(tolerance_) : std::nullopt};
+    if (trial == Trial::proof) {
+      trial_->run(path.pieces, tried_, span);
+    } else {
+      for (auto const& part : searched_spans(path.pieces, span, cycles_before(), cycles_after())) {
+        trial_->run(path.pieces, tried_, part);
+      }
+    }
     bool const exceeds =
         std::any_of(tried_.begin() + static_cast<std::ptrdiff_t>(i),
                     tried_.begin() + static_cast<std::ptrdiff_t>(next), [&](TriedCorner const& cell) {

@@ -14,7 +14,8 @@
 // whatever its shape. No plateau is slower than v_f. After 60 plans and two more for each corner, or where a corner at v_f
 // still exceeds the tolerance, each plan halves the velocity of the whole path, down to v_f: from rest there are at most
 //     60 + 2 n + ⌈log2(v / v_f)⌉ + 2
-// plans of n corners and a largest velocity v. Behind a machine in motion nothing can be slowed down any more: after as many
+// plans of n corners and a largest velocity v. Trying one costs as much as its blocks and turns (searched_spans.hpp), and its
+// cycles once where it seems to keep the tolerance. Behind a machine in motion nothing can be slowed down any more: after as many
 // plans the one before, which kept the tolerance, is driven to its stop (look_ahead.hpp), and the path goes on from rest.
 #pragma once
 

@@ -43,6 +43,9 @@ class VelocityProfile {
 
   /// Cycles.
   [[nodiscard]] double duration() const { return t1_ + t2_ + t3_; }
+  /// Between these the velocity stays the same.
+  [[nodiscard]] double steady_from() const { return t1_; }
+  [[nodiscard]] double steady_to() const { return t1_ + t2_; }
   /// So many cycles after its beginning.
   [[nodiscard]] double velocity_at(double t) const {
     if (t < t1_) return v0_ + (v_ > v0_ ? a_ : -a_) * t1_ * gained(t / t1_);

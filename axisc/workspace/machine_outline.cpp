@@ -129,7 +129,7 @@ MachineOutline project_outline(DiskFiles& files, std::string const& path, std::s
   MachineOutline outline{.is_machine = project.is_of_cnc};
   for (auto const& list : project.lists) {
     if (list.kind != configuration::ListKind::channel) continue;
-    SourceText const text_of_list(path, Window{.file = sources[source].file(), .span = list.span});
+    SourceText const text_of_list(path, Window{.file = sources[source], .span = list.span});
     add_found_programs(outline, files, path, text_of_list);
   }
   return outline;

@@ -86,6 +86,7 @@ struct Earlier {
   std::unique_ptr<ComparedMachine> before, after;
   std::optional<MachineDifference> difference = std::nullopt;
   std::optional<image::RuntimeHost> host = std::nullopt;
+  std::optional<image::StepAnswers> steps = std::nullopt;
 
   /// Errors are printed.
   void read(ReportOptions const& options, CheckJob const& job, Invocation const& invocation, bool color) {
@@ -93,7 +94,9 @@ struct Earlier {
     after = compared_machine(*options.input, job, printed_errors(invocation, color));
     if (!before || !after) return;
     difference.emplace(compare_machines(*before, *after, false));
-    if (before->image) host.emplace(start_runtime(*options.before, *before->image));
+    if (!before->image) return;
+    host.emplace(start_runtime(*options.before, *before->image));
+    steps.emplace(before->image->bytes.bytes(), before->image->contents);
   }
 };
 
@@ -167,7 +170,8 @@ ExitStatus report(Invocation const& invocation) {
         ShownDifference{.before = *options.before, .after = *options.input, .difference = *old.difference});
     subject.difference = &*difference;
     if (subject.plots && old.host) {
-      subject.plots->before.emplace(PlottedImage{.file = *old.before->image, .host = *old.host});
+      subject.plots->before.emplace(
+          PlottedImage{.file = *old.before->image, .host = *old.host, .steps = &*old.steps});
     }
   }
   write(report_page(subject), *options.output, invocation);

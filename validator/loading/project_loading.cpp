@@ -38,8 +38,7 @@ void Loader::load_project(SourceId source) {
   std::vector<SourceId> windows;
   for (ProjectList const& list : project.lists) {
     windows.push_back(sources_.add(SourceText(
-        machine_.path,
-        Window{.file = sources_[source].file(), .span = list.span, .encoding = project.encoding})));
+        machine_.path, Window{.file = sources_[source], .span = list.span, .encoding = project.encoding})));
   }
   auto const lists_of_axes =
       std::count_if(project.lists.begin(), project.lists.end(),

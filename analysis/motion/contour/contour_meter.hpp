@@ -60,6 +60,8 @@ class ContourMeter {
   /// A corner behind the last setpoint. Filters that only delay, all axes alike, leave it where it is: it is not
   /// measured.
   void corner(ContourPoint point);
+  /// What is measured at a point beside one that has just been measured: `point.cycle` is that one's.
+  [[nodiscard]] MeasuredPoint look(ContourPoint const& point);
   /// Setpoints so far, that of begin() included: the cycle of the next one.
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
   /// Measures what is left.
