@@ -35,6 +35,12 @@ class OpenList {
   [[nodiscard]] schema::NameLookup find(std::string_view name) const { return catalogue_.find(name); }
   /// The axis that the list makes; none for default lists, lists of other kinds, and where it makes several.
   [[nodiscard]] validator::LoadedAxis const* axis() const { return axis_; }
+  /// The unit of a parameter of the list's axis, of a translatory one where it is not known.
+  [[nodiscard]] std::string_view unit_of(schema::Parameter const& row) const;
+  /// The unit depends on the type of the axis, which is not known.
+  [[nodiscard]] bool is_unit_open(schema::Parameter const& row) const {
+    return axis_ == nullptr && row.unit_rotary != row.unit_translatory && !row.unit_rotary.empty();
+  }
   /// Of the machine; 1 ms where it is not known.
   [[nodiscard]] design::CycleTime cycle_time() const;
   /// The lines of an axis' lists that set a parameter, as the control reads them: default list, axis list.

@@ -37,6 +37,10 @@ Json range_json(TextPosition begin, TextPosition end) {
   return {{"start", position_json(begin)}, {"end", position_json(end)}};
 }
 
+Json range_between(std::string_view text, std::size_t begin, std::size_t end, PositionEncoding encoding) {
+  return range_json(position_of(text, begin, encoding), position_of(text, end, encoding));
+}
+
 std::string Places::uri(Place const& place) const {
   return buffers_.uri(sources_[place.source].name());
 }
@@ -81,8 +85,7 @@ Json edits_between(std::string_view before, std::string_view after, PositionEnco
   };
   while (is_inside(before, begin) || is_inside(after, begin)) --begin;
   while (is_inside(before, before.size() - end) || is_inside(after, after.size() - end)) --end;
-  edits.push_back({{"range", range_json(position_of(before, begin, encoding),
-                                        position_of(before, before.size() - end, encoding))},
+  edits.push_back({{"range", range_between(before, begin, before.size() - end, encoding)},
                    {"newText", after.substr(begin, after.size() - end - begin)}});
   return edits;
 }

@@ -3,7 +3,7 @@
 
 #include "axisc/workspace/buffers.hpp"
 #include "diagnostics/source_text.hpp"
-#include "editor/reading/text_positions.hpp"
+#include "editor/reading/requests.hpp"
 
 #include <cstdint>
 #include <map>
@@ -11,11 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 namespace axisc::editor {
-
-using Json = nlohmann::json;
 
 class Places {
  public:
@@ -40,6 +36,14 @@ class Places {
 
 [[nodiscard]] Json position_json(TextPosition position);
 [[nodiscard]] Json range_json(TextPosition begin, TextPosition end);
+/// Of two bytes of a text.
+[[nodiscard]] Json range_between(std::string_view text, std::size_t begin, std::size_t end,
+                                 PositionEncoding encoding);
+
+/// The cursor is in the span, or at one of its ends.
+[[nodiscard]] constexpr bool touches(Span span, std::size_t offset) {
+  return span.begin <= offset && offset <= span.end;
+}
 
 /// The one edit that makes `after` from `before`; an empty array for equal texts.
 [[nodiscard]] Json edits_between(std::string_view before, std::string_view after, PositionEncoding encoding);

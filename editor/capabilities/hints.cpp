@@ -1,7 +1,8 @@
+#include "editor/capabilities/hints.hpp"
+
 #include "design/filter_kinds.hpp"
-#include "editor/reading/open_list.hpp"
-#include "editor/reading/requests.hpp"
-#include "editor/server.hpp"
+#include "editor/reading/open_machines.hpp"
+#include "editor/reading/places.hpp"
 #include "schema/value.hpp"
 #include "validator/views/filter_view.hpp"
 #include "validator/views/units_text.hpp"
@@ -18,23 +19,19 @@ namespace axisc::editor {
 
 namespace {
 
-using Json = nlohmann::json;
-
-/// "= 42.5 Hz"; empty where the unit depends on an axis type that the list does not tell.
+/// "= 42.5 Hz"; empty where the unit is not known.
 std::string quantity(OpenList const& list, grammar::Assignment const& line, Language language) {
   auto const found = list.find(list.slice(line.name));
   if (found.row == nullptr || !found.row->symbols.empty()) return {};
   auto const number = schema::read_real(list.slice(line.value));
   if (number.status != schema::NumberStatus::good) return {};
-  bool const depends =
-      found.row->unit_rotary != found.row->unit_translatory && !found.row->unit_rotary.empty();
-  if (depends && list.axis() == nullptr) return {};
-  auto const unit = validator::unit_of(
-      *found.row, list.axis() == nullptr ? machine::AxisType::translatory : list.axis()->type);
-  return unit.empty() ? "" : "= " + validator::physical(number.number, unit).in(language);
+  auto const unit = list.unit_of(*found.row);
+  return unit.empty() || list.is_unit_open(*found.row)
+             ? ""
+             : "= " + validator::physical(number.number, unit).in(language);
 }
 
-/// What the filter's type uses and no list sets: "order 2, guete 1".
+/// The values that the type of the filter uses and that no list sets: "order 2, guete 1".
 std::string defaults_of(validator::FilterView const& filter) {
   std::string text;
   auto const add = [&text](validator::EffectiveValue const& value, bool is_used) {
@@ -55,34 +52,30 @@ std::string defaults_of(validator::FilterView const& filter) {
 
 }  // namespace
 
-Json Server::hints(Json const& params) {
-  auto const& asked = document(params);
-  auto hints = Json::array();
-  if (!is_list(asked.path)) return hints;
+Json hints(OpenMachines& machines, Json const& params) {
+  auto const& asked = machines.asked(params);
+  auto found = Json::array();
+  if (!is_list(asked.path)) return found;
   auto const first = position_in(params.at("range").at("start"));
   auto const last = position_in(params.at("range").at("end"));
-  auto const& list = list_of(asked);
-  TextLines const lines(asked.text, encoding_);
+  auto const& list = machines.list_of(asked);
+  TextLines const lines(asked.text, machines.encoding());
   auto const add = [&](std::size_t offset, std::string label) {
     auto const at = lines.position(offset);
     if (label.empty() || at < first || last < at) return;
-    hints.push_back({{"position", {{"line", at.line}, {"character", at.character}}},
-                     {"label", std::move(label)},
-                     {"paddingLeft", true}});
+    found.push_back({{"position", position_json(at)}, {"label", std::move(label)}, {"paddingLeft", true}});
   };
-  for (auto const& line : list.tree().assignments) {
-    add(line.value.end, quantity(list, line, surroundings_.language));
-  }
-  if (list.axis() == nullptr) return hints;
+  for (auto const& line : list.tree().assignments)
+    add(line.value.end, quantity(list, line, machines.language()));
+  if (list.axis() == nullptr) return found;
   auto const& values = list.axis()->merged.values;
   for (auto const& filter : validator::touched_filters(values)) {
     auto const defaults = defaults_of(filter);
     auto const place = filter.type.value_place();
     if (defaults.empty() || !place || list.sources()[place->source].name() != list.text().name()) continue;
-    add(place->span.end,
-        render({.sentence = says::defaults, .arguments = {{"values", defaults}}}, surroundings_.language));
+    add(place->span.end, machines.say(says::defaults, {{"values", defaults}}));
   }
-  return hints;
+  return found;
 }
 
 }  // namespace axisc::editor

@@ -1,13 +1,12 @@
+#include "editor/capabilities/hover.hpp"
+
 #include "axisc/answers/explain/explain_formats.hpp"
-#include "configuration/list_kind.hpp"
 #include "diagnostics/location.hpp"
 #include "editor/meaning/filter_figures.hpp"
 #include "editor/meaning/parameter_number.hpp"
 #include "editor/meaning/program_help.hpp"
-#include "editor/reading/open_list.hpp"
+#include "editor/reading/open_machines.hpp"
 #include "editor/reading/places.hpp"
-#include "editor/reading/requests.hpp"
-#include "editor/server.hpp"
 #include "schema/descriptions/description.hpp"
 #include "validator/loading/loader.hpp"
 #include "validator/views/units_text.hpp"
@@ -26,11 +25,6 @@ namespace axisc::editor {
 
 namespace {
 
-std::string_view unit_of(OpenList const& list, schema::Parameter const& parameter) {
-  return validator::unit_of(parameter,
-                            list.axis() == nullptr ? machine::AxisType::translatory : list.axis()->type);
-}
-
 /// "20000 = 20 ms".
 std::string with_unit(std::string_view raw, double number, std::string_view unit, Language language) {
   if (unit.empty()) return std::string(raw);
@@ -43,16 +37,12 @@ std::string quantity(OpenList const& list, schema::Parameter const& parameter, s
                      Language language) {
   auto const number = schema::read_real(raw);
   if (number.status != schema::NumberStatus::good || !parameter.symbols.empty()) return std::string(raw);
-  auto const unit = unit_of(list, parameter);
-  if (list.axis() == nullptr && parameter.unit_rotary != parameter.unit_translatory &&
-      !parameter.unit_rotary.empty()) {
-    return with_unit(raw, number.number, unit, language) + " | " +
-           validator::physical(number.number, parameter.unit_rotary).in(language);
-  }
-  return with_unit(raw, number.number, unit, language);
+  auto const text = with_unit(raw, number.number, list.unit_of(parameter), language);
+  if (!list.is_unit_open(parameter)) return text;
+  return text + " | " + validator::physical(number.number, parameter.unit_rotary).in(language);
 }
 
-/// What the catalogue says about a value of an enumeration; empty where it says nothing.
+/// The meaning of a value of an enumeration by the catalogue; empty where it has none.
 std::string value_meaning(schema::Parameter const& parameter, std::string_view raw, Language language) {
   auto const number = schema::read_real(raw);
   bool const is_number = number.status == schema::NumberStatus::good;
@@ -85,71 +75,64 @@ std::string effective_text(OpenList const& list, schema::Slot slot, std::uint32_
   if (value.unusable || (value.set() && !value.has_value)) return {};
   if (!value.set()) {
     if (!value.row->has_default) return {};
-    return "\n" +
-           render({.sentence = says::in_effect_default,
-                   .arguments = {{"value", value_text(list, *value.row, validator::default_text(*value.row),
-                                                      language)}}},
-                  language) +
-           "\n";
+    auto const standard = value_text(list, *value.row, validator::default_text(*value.row), language);
+    return "\n" + say(says::in_effect_default, language, {{"value", standard}}) + "\n";
   }
   auto const location = locate(*value.value_place(), list.sources());
   if (value.line == line && location.file == list.text().name()) return {};
   auto const raw = list.sources()[value.source].utf8(value.value_span);
   return "\n" +
-         render({.sentence = says::in_effect,
-                 .arguments = {{"value", value_text(list, *value.row, raw, language)},
-                               {"file", std::string(validator::file_name(location.file))},
-                               {"line", std::to_string(value.line)}}},
-                language) +
+         say(says::in_effect, language,
+             {{"value", value_text(list, *value.row, raw, language)},
+              {"file", std::string(validator::file_name(location.file))},
+              {"line", std::to_string(value.line)}}) +
          "\n";
 }
 
 }  // namespace
 
-Json Server::hover(Json const& params) {
-  auto const& asked = document(params);
-  auto const offset = offset_of(asked.text, position_in(params.at("position")), encoding_);
+Json hover(OpenMachines& machines, Json const& params) {
+  auto const& asked = machines.asked(params);
+  auto const offset = machines.offset(asked, params);
+  auto const language = machines.language();
+  bool const markdown = machines.client().markdown;
   auto const answer = [&](std::string text, std::size_t begin, std::size_t end) {
-    return Json{{"contents", {{"kind", markdown_ ? "markdown" : "plaintext"}, {"value", std::move(text)}}},
-                {"range", range_json(position_of(asked.text, begin, encoding_),
-                                     position_of(asked.text, end, encoding_))}};
+    return Json{{"contents", {{"kind", markdown ? "markdown" : "plaintext"}, {"value", std::move(text)}}},
+                {"range", machines.range(asked, begin, end)}};
   };
   if (auto const number = parameter_number_at(asked.text, offset)) {
     std::string text;
-    auto const catalogue = number->kind == schema::ListKind::axis
-                               ? surroundings_.options(asked.path).catalogue
-                               : schema::Catalogue::of(number->kind);
+    auto const catalogue = number->kind == schema::ListKind::axis ? machines.options()(asked.path).catalogue
+                                                                  : schema::Catalogue::of(number->kind);
     for (auto const id : catalogue.find_number(number->number)) {
-      text += (text.empty() ? "" : "\n") +
-              explain_parameter(catalogue, catalogue.parameter(id), surroundings_.language);
+      text += (text.empty() ? "" : "\n") + explain_parameter(catalogue, catalogue.parameter(id), language);
     }
     if (!text.empty()) return answer(std::move(text), number->begin, number->end);
   }
   if (asked.path.ends_with(".nc")) {
-    auto help = command_help(asked.text, offset, reading_of(asked).machine(), surroundings_.language);
+    auto help = command_help(asked.text, offset, machines.reading_of(asked).machine(), language);
     return help ? answer(std::move(help->text), help->begin, help->end) : Json();
   }
   if (!is_list(asked.path)) return nullptr;
-  auto const& list = list_of(asked);
+  auto const& list = machines.list_of(asked);
   auto const* const line = list.line_at(offset);
   if (line == nullptr) return nullptr;
-  auto const is_on = [offset](Span span) { return span.begin <= offset && offset <= span.end; };
-  auto const found = list.find(list.slice(line->name));
+  auto const name = list.slice(line->name);
+  auto const found = list.find(name);
   if (found.row == nullptr) return nullptr;
-  if (is_on(line->name)) {
-    auto text = explain_parameter(list.catalogue(), *found.row, surroundings_.language);
+  if (touches(line->name, offset)) {
+    auto text = explain_parameter(list.catalogue(), *found.row, language);
     if (found.status == schema::NameLookup::Status::found) {
-      text += effective_text(list, found.slot, line->line, surroundings_.language);
-      text += filter_figures(list, list.slice(line->name), markdown_, surroundings_.language);
+      text += effective_text(list, found.slot, line->line, language);
+      text += filter_figures(list, name, markdown, language);
     }
     return answer(std::move(text), line->name.begin, line->name.end);
   }
-  if (!is_on(line->value)) return nullptr;
-  auto const value = value_text(list, *found.row, list.text().utf8(line->value), surroundings_.language);
-  auto const what = schema::description_of(*found.row).what.in(surroundings_.language);
-  return answer("`" + std::string(list.slice(line->name)) + "` " + value + (what.empty() ? "" : "\n\n") +
-                    std::string(what) + "\n" +
-                    filter_figures(list, list.slice(line->name), markdown_, surroundings_.language),
+  if (!touches(line->value, offset)) return nullptr;
+  auto const value = value_text(list, *found.row, list.text().utf8(line->value), language);
+  auto const what = schema::description_of(*found.row).what.in(language);
+  return answer("`" + std::string(name) + "` " + value + (what.empty() ? "" : "\n\n") + std::string(what) +
+                    "\n" + filter_figures(list, name, markdown, language),
                 line->value.begin, line->value.end);
 }
 

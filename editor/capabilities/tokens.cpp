@@ -1,5 +1,6 @@
-#include "editor/reading/open_list.hpp"
-#include "editor/server.hpp"
+#include "editor/capabilities/tokens.hpp"
+
+#include "editor/reading/open_machines.hpp"
 
 #include <array>
 
@@ -9,11 +10,9 @@ namespace axisc::editor {
 
 namespace {
 
-using Json = nlohmann::json;
-
 enum class TokenType : std::uint8_t { property, number, enumeration_member, variable, string, comment };
 constexpr std::array type_names = {"property", "number", "enumMember", "variable", "string", "comment"};
-/// The control reads past it, or knows no such name.
+/// The control ignores it, or does not know the name.
 constexpr unsigned ignored = 1;
 constexpr std::array modifier_names = {"deprecated"};
 
@@ -91,34 +90,34 @@ void add_rest(Tokens& tokens, std::size_t offset, std::string_view line) {
 
 }  // namespace
 
-Json Server::token_legend() {
+Json token_legend() {
   return {{"tokenTypes", type_names}, {"tokenModifiers", modifier_names}};
 }
 
-Json Server::tokens(Json const& params) {
-  auto const& asked = document(params);
+Json tokens(OpenMachines& machines, Json const& params) {
+  auto const& asked = machines.asked(params);
   if (!is_list(asked.path)) return {{"data", Json::array()}};
-  auto const& list = list_of(asked);
-  TextLines const lines(asked.text, encoding_);
-  Tokens tokens(lines);
+  auto const& list = machines.list_of(asked);
+  TextLines const lines(asked.text, machines.encoding());
+  Tokens found(lines);
   auto next = list.tree().assignments.begin();
   auto const end = list.tree().assignments.end();
   for (std::size_t i = 0; i < lines.count(); ++i) {
     auto const line = lines.line(i);
-    auto const behind = lines.begin(i) + line.size();
-    if (next == end || next->name.begin >= behind || next->name.begin < lines.begin(i)) {
-      add_rest(tokens, lines.begin(i), line);
+    auto const line_end = lines.begin(i) + line.size();
+    if (next == end || next->name.begin >= line_end || next->name.begin < lines.begin(i)) {
+      add_rest(found, lines.begin(i), line);
       continue;
     }
     auto const name = list.slice(next->name);
-    auto const found = list.find(name);
-    add_name(tokens, next->name.begin, name, found.row == nullptr ? ignored : 0);
-    tokens.add(next->value.begin, list.slice(next->value), type_of(*next, found.row));
+    auto const* const row = list.find(name).row;
+    add_name(found, next->name.begin, name, row == nullptr ? ignored : 0);
+    found.add(next->value.begin, list.slice(next->value), type_of(*next, row));
     auto const trailer = list.slice(next->trailer);
-    tokens.add(next->trailer.begin, trailer, TokenType::comment, begins_comment(trailer) ? 0 : ignored);
+    found.add(next->trailer.begin, trailer, TokenType::comment, begins_comment(trailer) ? 0 : ignored);
     ++next;
   }
-  return tokens.take();
+  return found.take();
 }
 
 }  // namespace axisc::editor

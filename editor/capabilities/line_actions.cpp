@@ -1,7 +1,6 @@
-#include "diagnostics/location.hpp"
-#include "editor/reading/open_list.hpp"
+#include "editor/capabilities/line_actions.hpp"
+
 #include "editor/reading/places.hpp"
-#include "editor/server.hpp"
 #include "schema/value.hpp"
 #include "validator/views/units_text.hpp"
 #include "validator/views/written_unit.hpp"
@@ -26,11 +25,9 @@ namespace axisc::editor {
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::string_view directive = "axisc: allow ";
 
-/// What makes the line's comment allow a code.
+/// The text that makes the comment of a line allow a code.
 std::string allowance(std::string_view comment, std::string const& code) {
   if (comment.empty()) return "  ( " + std::string(directive) + code;
   auto const before = comment.rfind(directive);
@@ -47,40 +44,6 @@ bool is_comment(grammar::TrailerKind kind) {
   using grammar::TrailerKind;
   return kind == TrailerKind::parenthesis || kind == TrailerKind::hash;
 }
-
-}  // namespace
-
-void Server::add_finding_actions(Json& actions, Finding const& finding, Json const& shown,
-                                 Document const& document) {
-  std::string const code = code_text(finding.code);
-  auto const say = [&](SentenceRef sentence) {
-    return render({.sentence = sentence, .arguments = {{"code", code}}}, surroundings_.language);
-  };
-  if (is_list(document.path)) {
-    auto const& list = list_of(document);
-    TextLines const lines(document.text, encoding_);
-    auto const line = shown["range"]["start"]["line"].get<std::size_t>();
-    auto const* const assignment = line < lines.count() ? list.line_at(lines.begin(line)) : nullptr;
-    // A line that cannot be read as name and value has its allowance above.
-    auto const comment = assignment == nullptr ? std::string_view() : list.slice(assignment->trailer);
-    bool const is_beside = assignment != nullptr && (comment.empty() || is_comment(assignment->trailer_kind));
-    auto const at = is_beside ? lines.position(end_of(*assignment)) : TextPosition{.line = line};
-    auto const text = is_beside ? allowance(comment, code) : "( " + std::string(directive) + code + "\n";
-    Json const edit = {{"range", range_json(at, at)}, {"newText", text}};
-    actions.push_back({{"title", say(says::allow)},
-                       {"kind", "quickfix"},
-                       {"diagnostics", Json::array({shown})},
-                       {"edit", {{"changes", {{document.uri, Json::array({edit})}}}}}});
-  }
-  actions.push_back(
-      {{"title", say(says::explain)},
-       {"kind", "quickfix"},
-       {"diagnostics", Json::array({shown})},
-       {"command",
-        {{"title", say(says::explain)}, {"command", "axisc.explain"}, {"arguments", {document.uri, code}}}}});
-}
-
-namespace {
 
 /// A value with a unit after it: "20 ms", "42.5Hz", "0,1 kHz".
 struct Measured {
@@ -108,10 +71,45 @@ std::optional<Measured> measured(OpenList const& list, grammar::Assignment const
 
 }  // namespace
 
-/// The number that the control reads for a value that was written with its unit, which stays as a comment.
-void Server::add_unit_action(Json& actions, Document const& document, std::size_t offset) {
-  if (!is_list(document.path)) return;
-  auto const& list = list_of(document);
+Json LineActions::insertion(TextPosition at, std::string const& text) const {
+  return {{"changes", {{document_.uri, Json::array({{{"range", range_json(at, at)}, {"newText", text}}})}}}};
+}
+
+void LineActions::add_rewrite(std::string title, std::size_t at, std::string const& text) {
+  actions_.push_back({{"title", std::move(title)},
+                      {"kind", "refactor.rewrite"},
+                      {"edit", insertion(position_of(document_.text, at, machines_.encoding()), text)}});
+}
+
+void LineActions::add_allowance(Finding const& finding, Json const& shown) {
+  std::string const code = code_text(finding.code);
+  auto const add = [&](SentenceRef title, std::string const& what, Json does) {
+    actions_.push_back({{"title", machines_.say(title, {{"code", code}})},
+                        {"kind", "quickfix"},
+                        {"diagnostics", Json::array({shown})},
+                        {what, std::move(does)}});
+  };
+  if (is_list(document_.path)) {
+    auto const& list = machines_.list_of(document_);
+    TextLines const lines(document_.text, machines_.encoding());
+    auto const line = shown["range"]["start"]["line"].get<std::size_t>();
+    auto const* const assignment = line < lines.count() ? list.line_at(lines.begin(line)) : nullptr;
+    // A line that cannot be read as name and value has its allowance above.
+    auto const comment = assignment == nullptr ? std::string_view() : list.slice(assignment->trailer);
+    bool const is_beside = assignment != nullptr && (comment.empty() || is_comment(assignment->trailer_kind));
+    auto const at = is_beside ? lines.position(end_of(*assignment)) : TextPosition{.line = line};
+    auto const text = is_beside ? allowance(comment, code) : "( " + std::string(directive) + code + "\n";
+    add(says::allow, "edit", insertion(at, text));
+  }
+  add(says::explain, "command",
+      {{"title", machines_.say(says::explain, {{"code", code}})},
+       {"command", "axisc.explain"},
+       {"arguments", {document_.uri, code}}});
+}
+
+void LineActions::add_conversion(std::size_t offset) {
+  if (!is_list(document_.path)) return;
+  auto const& list = machines_.list_of(document_);
   auto const* const line = list.line_at(offset);
   if (line == nullptr) return;
   auto const found = list.find(list.slice(line->name));
@@ -126,23 +124,16 @@ void Server::add_unit_action(Json& actions, Document const& document, std::size_
     auto const number =
         validator::converted_number(value->number, *ratio, schema::is_integer(found.row->type));
     if (is_right || number.empty()) return;
-    auto const at = position_of(document.text, line->value.begin, encoding_);
-    Json const edit = {{"range", range_json(at, at)}, {"newText", number + " ( "}};
-    actions.push_back({{"title", render({.sentence = says::convert,
-                                         .arguments = {{"written", value->text},
-                                                       {"number", number},
-                                                       {"unit", validator::raw_unit_name(unit)}}},
-                                        surroundings_.language)},
-                       {"kind", "refactor.rewrite"},
-                       {"edit", {{"changes", {{document.uri, Json::array({edit})}}}}}});
-    return;
+    auto title = machines_.say(
+        says::convert,
+        {{"written", value->text}, {"number", number}, {"unit", validator::raw_unit_name(unit)}});
+    return add_rewrite(std::move(title), line->value.begin, number + " ( ");
   }
 }
 
-/// The word of a number of an enumeration, where the line has no comment yet.
-void Server::add_value_action(Json& actions, Document const& document, std::size_t offset) {
-  if (!is_list(document.path)) return;
-  auto const& list = list_of(document);
+void LineActions::add_word(std::size_t offset) {
+  if (!is_list(document_.path)) return;
+  auto const& list = machines_.list_of(document_);
   auto const* const line = list.line_at(offset);
   if (line == nullptr || !list.slice(line->trailer).empty()) return;
   auto const found = list.find(list.slice(line->name));
@@ -150,13 +141,8 @@ void Server::add_value_action(Json& actions, Document const& document, std::size
   if (found.row == nullptr || number.status != schema::NumberStatus::good) return;
   auto const* const symbol = schema::symbol_of_number(*found.row, number.number);
   if (symbol == nullptr) return;
-  auto const at = position_of(document.text, line->value.end, encoding_);
-  Json const edit = {{"range", range_json(at, at)}, {"newText", "  ( " + std::string(symbol->word)}};
-  actions.push_back(
-      {{"title", render({.sentence = says::name_value, .arguments = {{"word", std::string(symbol->word)}}},
-                        surroundings_.language)},
-       {"kind", "refactor.rewrite"},
-       {"edit", {{"changes", {{document.uri, Json::array({edit})}}}}}});
+  std::string const word(symbol->word);
+  add_rewrite(machines_.say(says::name_value, {{"word", word}}), line->value.end, "  ( " + word);
 }
 
 }  // namespace axisc::editor

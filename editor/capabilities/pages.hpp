@@ -1,4 +1,4 @@
-// Pages that a client shows of a machine, and the line above each cascade of filters.
+// The pages about a machine that a client shows, and the line above each cascade of filters.
 #pragma once
 
 #include "axisc/workspace/machine_search.hpp"
@@ -7,7 +7,6 @@
 
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +16,12 @@ namespace axisc::editor {
 struct Page {
   std::string title;
   std::string html;  ///< a whole document
-  /// Of its inline scripts, as a content security policy names them. They come from the program, not from the document:
-  /// a script that got into it from a list has none.
+  /// Of its inline scripts, for a content security policy. They come from the program, not from the document: a script
+  /// that got into it from a list has none.
   std::vector<std::string> script_digests = {};
 };
 
-/// What a page is about.
+/// The subject of a page.
 struct PageSubject {
   configuration::Files& files;      ///< unsaved documents count
   std::string machine;              ///< the input
@@ -30,12 +29,6 @@ struct PageSubject {
   std::vector<std::string> words;   ///< that the client adds
   Language language = Language::english;
   OptionsOf const& options;
-};
-
-/// Why a request has no answer, in the user's language.
-class RequestRefused : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 struct PageCommand {
@@ -46,7 +39,8 @@ struct PageCommand {
 /// `axisc.report`, `axisc.plot KIND`, `axisc.machine` and `axisc.explain CODE`. RequestRefused where there is no page.
 [[nodiscard]] std::span<PageCommand const> page_commands();
 
-/// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" of the axis, of each where none is named, or why there is no figure.
+/// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" of the axis, of each axis where none is named, or the reason
+/// why there is no figure.
 [[nodiscard]] std::string cascade_line(PageSubject const& subject);
 
 }  // namespace axisc::editor

@@ -1,13 +1,12 @@
-#include "editor/reading/text_positions.hpp"
-#include "editor/server.hpp"
+#include "editor/capabilities/folding.hpp"
+
+#include "editor/reading/open_machines.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace axisc::editor {
 
 namespace {
-
-using Json = nlohmann::json;
 
 enum class LineKind : std::uint8_t { blank, comment, other };
 
@@ -19,10 +18,8 @@ LineKind kind_of(std::string_view line) {
 
 }  // namespace
 
-// A comment heads what follows it, up to the next one after a blank line; several lines of comment fold by themselves.
-Json Server::fold(Json const& params) {
-  auto const& asked = document(params);
-  TextLines const lines(asked.text, encoding_);
+Json fold(OpenMachines& machines, Json const& params) {
+  TextLines const lines(machines.asked(params).text, machines.encoding());
   auto ranges = Json::array();
   std::size_t heading = 0;  // of the section, one more than its line; 0: none
   std::size_t comment = 0;  // first line of the present run of comments, likewise

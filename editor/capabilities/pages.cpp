@@ -1,4 +1,4 @@
-#include "editor/pages.hpp"
+#include "editor/capabilities/pages.hpp"
 
 #include "axisc/answers/explain/explain_formats.hpp"
 #include "axisc/answers/figures/plots.hpp"
@@ -12,6 +12,7 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "diagnostics/format_number.hpp"
+#include "editor/reading/requests.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
 #include "validator/engine/rule.hpp"
@@ -89,7 +90,7 @@ class PagesOfMachine {
             .script_digests = {script_digest(pictures::page_script(language_))}};
   }
 
-  /// Of a default list each axis by its name. The reason where there is no figure.
+  /// The line of the axis, of each axis with its name where none is named; the reason where there is no figure.
   [[nodiscard]] std::string cascade() {
     std::string text;
     if (!image_) return say(says::no_figures);
@@ -145,7 +146,7 @@ class PagesOfMachine {
     return kind == "corner" ? corner_figure(contours, {}) : circle_figure(contours, {});
   }
 
-  /// Of two axes with this chain.
+  /// The deviation is that of a corner between two axes with this chain.
   [[nodiscard]] std::string cascade_text(motion::ChainAnswer const& answer,
                                          machine::AxisConfiguration const& axis) const {
     auto const cycle_time = result_.machine->cycle_time;
@@ -206,7 +207,7 @@ Page explanation_page(PageSubject const& subject) {
   return whole_page(code_text(rule->code), html_of_markdown(explain_rule(*rule, 1, language), 0), language);
 }
 
-/// What is wrong with an input is told to the client.
+/// A failure of the input is the reason that the client shows.
 template <Page (*make)(PageSubject const&)>
 Page page(PageSubject const& subject) {
   try {

@@ -1,0 +1,10 @@
+// Hints in the text: the quantity of a raw number, and the defaults that a filter takes.
+#pragma once
+
+#include "editor/capabilities/capability.hpp"
+
+namespace axisc::editor {
+
+[[nodiscard]] Json hints(OpenMachines& machines, Json const& params);
+
+}  // namespace axisc::editor
