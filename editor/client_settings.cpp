@@ -1,5 +1,6 @@
 #include "editor/client_settings.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "editor/server.hpp"
 
 #include <array>
@@ -22,9 +23,7 @@ constexpr std::array read_files = {"**/*.lis", "**/*.LIS", "**/*.json",   "**/*.
 std::string text_of(Json const& section, char const* name) {
   auto const found = section.find(name);
   if (found == section.end() || !found->is_string()) return {};
-  auto const& text = found->get_ref<std::string const&>();
-  auto const begin = text.find_first_not_of(" \t");
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+  return std::string(ascii::trimmed(found->get_ref<std::string const&>()));
 }
 
 std::string request(Json const& id, std::string_view method, Json params) {

@@ -96,7 +96,7 @@ void add_fixes(OpenMachines& machines, Document const& asked, TextPosition begin
                          {"diagnostics", Json::array({shown})},
                          {"edit", changes(batch, sources, files, machines.encoding())}});
     }
-    LineActions(machines, asked, actions).add_allowance(finding, shown);
+    add_finding_actions(actions, machines, asked, finding, shown);
   }
 }
 
@@ -109,10 +109,7 @@ Json code_actions(OpenMachines& machines, Json const& params) {
   auto actions = Json::array();
   if (wants(params, "quickfix")) add_fixes(machines, asked, begin, end, actions);
   if (wants(params, "refactor.rewrite")) {
-    auto const offset = offset_of(asked.text, begin, machines.encoding());
-    LineActions line(machines, asked, actions);
-    line.add_word(offset);
-    line.add_conversion(offset);
+    add_rewrites(actions, machines, asked, offset_of(asked.text, begin, machines.encoding()));
   }
   if (wants(params, "source.fixAll.axisc")) {
     auto edits = fix_all(machines, asked);

@@ -69,29 +69,64 @@ std::optional<Measured> measured(OpenList const& list, grammar::Assignment const
   return Measured{.text = std::move(text), .number = number.number, .unit = std::move(unit)};
 }
 
+/// A workspace edit.
+Json insertion(Document const& document, TextPosition at, std::string const& text) {
+  return {{"changes", {{document.uri, Json::array({{{"range", range_json(at, at)}, {"newText", text}}})}}}};
+}
+
+struct Rewrite {
+  std::string title;
+  std::size_t at = 0;
+  std::string text;
+};
+
+/// The written value stays as a comment.
+std::optional<Rewrite> conversion(OpenMachines& machines, OpenList const& list,
+                                  grammar::Assignment const& line, schema::Parameter const& row) {
+  auto const value = measured(list, line);
+  if (!value || !schema::is_number(row.type)) return std::nullopt;
+  // A list alone may be one for axes of both types.
+  for (auto const unit : {row.unit_translatory, row.unit_rotary}) {
+    auto const ratio = validator::unit_ratio(value->unit, unit);
+    if (!ratio) continue;
+    bool const is_right =
+        *ratio == 1 && schema::read_real(list.slice(line.value)).status == schema::NumberStatus::good;
+    auto const number = validator::converted_number(value->number, *ratio, schema::is_integer(row.type));
+    if (is_right || number.empty()) return std::nullopt;
+    auto title = machines.say(
+        says::convert,
+        {{"written", value->text}, {"number", number}, {"unit", validator::raw_unit_name(unit)}});
+    return Rewrite{.title = std::move(title), .at = line.value.begin, .text = number + " ( "};
+  }
+  return std::nullopt;
+}
+
+/// Where the line has no comment yet.
+std::optional<Rewrite> word(OpenMachines& machines, OpenList const& list, grammar::Assignment const& line,
+                            schema::Parameter const& row) {
+  auto const number = schema::read_real(list.slice(line.value));
+  if (!list.slice(line.trailer).empty() || number.status != schema::NumberStatus::good) return std::nullopt;
+  auto const* const symbol = schema::symbol_of_number(row, number.number);
+  if (symbol == nullptr) return std::nullopt;
+  std::string const text(symbol->word);
+  return Rewrite{
+      .title = machines.say(says::name_value, {{"word", text}}), .at = line.value.end, .text = "  ( " + text};
+}
+
 }  // namespace
 
-Json LineActions::insertion(TextPosition at, std::string const& text) const {
-  return {{"changes", {{document_.uri, Json::array({{{"range", range_json(at, at)}, {"newText", text}}})}}}};
-}
-
-void LineActions::add_rewrite(std::string title, std::size_t at, std::string const& text) {
-  actions_.push_back({{"title", std::move(title)},
-                      {"kind", "refactor.rewrite"},
-                      {"edit", insertion(position_of(document_.text, at, machines_.encoding()), text)}});
-}
-
-void LineActions::add_allowance(Finding const& finding, Json const& shown) {
+void add_finding_actions(Json& actions, OpenMachines& machines, Document const& document,
+                         Finding const& finding, Json const& shown) {
   std::string const code = code_text(finding.code);
   auto const add = [&](SentenceRef title, std::string const& what, Json does) {
-    actions_.push_back({{"title", machines_.say(title, {{"code", code}})},
-                        {"kind", "quickfix"},
-                        {"diagnostics", Json::array({shown})},
-                        {what, std::move(does)}});
+    actions.push_back({{"title", machines.say(title, {{"code", code}})},
+                       {"kind", "quickfix"},
+                       {"diagnostics", Json::array({shown})},
+                       {what, std::move(does)}});
   };
-  if (is_list(document_.path)) {
-    auto const& list = machines_.list_of(document_);
-    TextLines const lines(document_.text, machines_.encoding());
+  if (is_list(document.path)) {
+    auto const& list = machines.list_of(document);
+    TextLines const lines(document.text, machines.encoding());
     auto const line = shown["range"]["start"]["line"].get<std::size_t>();
     auto const* const assignment = line < lines.count() ? list.line_at(lines.begin(line)) : nullptr;
     // A line that cannot be read as name and value has its allowance above.
@@ -99,50 +134,28 @@ void LineActions::add_allowance(Finding const& finding, Json const& shown) {
     bool const is_beside = assignment != nullptr && (comment.empty() || is_comment(assignment->trailer_kind));
     auto const at = is_beside ? lines.position(end_of(*assignment)) : TextPosition{.line = line};
     auto const text = is_beside ? allowance(comment, code) : "( " + std::string(directive) + code + "\n";
-    add(says::allow, "edit", insertion(at, text));
+    add(says::allow, "edit", insertion(document, at, text));
   }
   add(says::explain, "command",
-      {{"title", machines_.say(says::explain, {{"code", code}})},
+      {{"title", machines.say(says::explain, {{"code", code}})},
        {"command", "axisc.explain"},
-       {"arguments", {document_.uri, code}}});
+       {"arguments", {document.uri, code}}});
 }
 
-void LineActions::add_conversion(std::size_t offset) {
-  if (!is_list(document_.path)) return;
-  auto const& list = machines_.list_of(document_);
+void add_rewrites(Json& actions, OpenMachines& machines, Document const& document, std::size_t offset) {
+  if (!is_list(document.path)) return;
+  auto const& list = machines.list_of(document);
   auto const* const line = list.line_at(offset);
   if (line == nullptr) return;
-  auto const found = list.find(list.slice(line->name));
-  auto const value = measured(list, *line);
-  if (found.row == nullptr || !value || !schema::is_number(found.row->type)) return;
-  // A list alone may be one for axes of both types.
-  for (auto const unit : {found.row->unit_translatory, found.row->unit_rotary}) {
-    auto const ratio = validator::unit_ratio(value->unit, unit);
-    if (!ratio) continue;
-    bool const is_right =
-        *ratio == 1 && schema::read_real(list.slice(line->value)).status == schema::NumberStatus::good;
-    auto const number =
-        validator::converted_number(value->number, *ratio, schema::is_integer(found.row->type));
-    if (is_right || number.empty()) return;
-    auto title = machines_.say(
-        says::convert,
-        {{"written", value->text}, {"number", number}, {"unit", validator::raw_unit_name(unit)}});
-    return add_rewrite(std::move(title), line->value.begin, number + " ( ");
+  auto const* const row = list.find(list.slice(line->name)).row;
+  if (row == nullptr) return;
+  for (auto const& rewrite : {word(machines, list, *line, *row), conversion(machines, list, *line, *row)}) {
+    if (!rewrite) continue;
+    auto const at = position_of(document.text, rewrite->at, machines.encoding());
+    actions.push_back({{"title", rewrite->title},
+                       {"kind", "refactor.rewrite"},
+                       {"edit", insertion(document, at, rewrite->text)}});
   }
-}
-
-void LineActions::add_word(std::size_t offset) {
-  if (!is_list(document_.path)) return;
-  auto const& list = machines_.list_of(document_);
-  auto const* const line = list.line_at(offset);
-  if (line == nullptr || !list.slice(line->trailer).empty()) return;
-  auto const found = list.find(list.slice(line->name));
-  auto const number = schema::read_real(list.slice(line->value));
-  if (found.row == nullptr || number.status != schema::NumberStatus::good) return;
-  auto const* const symbol = schema::symbol_of_number(*found.row, number.number);
-  if (symbol == nullptr) return;
-  std::string const word(symbol->word);
-  add_rewrite(machines_.say(says::name_value, {{"word", word}}), line->value.end, "  ( " + word);
 }
 
 }  // namespace axisc::editor

@@ -113,7 +113,7 @@ class PagesOfMachine {
  private:
   [[nodiscard]] std::string name() const { return std::string(validator::file_name(subject_.machine)); }
   [[nodiscard]] std::string say(SentenceRef text) const {
-    return render({.sentence = text, .arguments = {{"machine", name()}}}, language_);
+    return editor::say(text, language_, {{"machine", name()}});
   }
   [[nodiscard]] PlotSubject plots(std::optional<std::string> const& axis) {
     return {.now = {.file = *image_, .host = *host_},
@@ -130,8 +130,7 @@ class PagesOfMachine {
     if (kind == "step") return step_figure(plots(subject_.axis));
     if (kind == "delay") return delay_figure(plots(std::nullopt));
     if (kind != "corner" && kind != "circle") {
-      throw RequestRefused(
-          render({.sentence = says::unknown_picture_kind, .arguments = {{"kind", kind}}}, language_));
+      throw RequestRefused(editor::say(says::unknown_picture_kind, language_, {{"kind", kind}}));
     }
     auto const& machine = *result_.machine;
     auto const group = chosen_group(machine, std::nullopt, subject_.machine);
@@ -154,14 +153,14 @@ class PagesOfMachine {
         {"delay", format_rounded(answer.delay * cycle_time.microseconds() / 1000, shown_digits)}};
     double const feed = axis.velocity_limit * mm_per_min_of_um_per_s;
     if (axis.type != machine::AxisType::translatory) {
-      return render({.sentence = says::cascade_not_straight, .arguments = arguments}, language_);
+      return editor::say(says::cascade_not_straight, language_, arguments);
     }
-    if (feed <= 0) return render({.sentence = says::cascade_no_feed, .arguments = arguments}, language_);
+    if (feed <= 0) return editor::say(says::cascade_no_feed, language_, arguments);
     std::array const both = {answer, answer};
     auto const corner = motion::predict_corner(both, path_velocity(feed, cycle_time), quarter_turn);
     arguments.push_back({"deviation", format_rounded(corner.deviation / motion::units_per_mm, shown_digits)});
     arguments.push_back({"feed", format_rounded(feed, shown_digits)});
-    return render({.sentence = says::cascade_line, .arguments = arguments}, language_);
+    return editor::say(says::cascade_line, language_, arguments);
   }
 
   PageSubject const& subject_;
@@ -191,7 +190,7 @@ Page machine_page(PageSubject const& subject) {
     throw unreadable(subject.machine, *error);
   }
   auto const name = std::string(validator::file_name(subject.machine));
-  auto const title = render({.sentence = says::title_machine, .arguments = {{"machine", name}}}, language);
+  auto const title = say(says::title_machine, language, {{"machine", name}});
   auto const text = machine_text(std::get<validator::LoadedMachine>(loaded), sources, language);
   return whole_page(title, text_of("h1", title) + "\n" + text_of("pre", text), language);
 }
@@ -202,7 +201,7 @@ Page explanation_page(PageSubject const& subject) {
   auto const code = find_code(word);
   auto const* const rule = code ? validator::find_rule(*code) : nullptr;
   if (rule == nullptr) {
-    throw RequestRefused(render({.sentence = says::unknown_rule, .arguments = {{"code", word}}}, language));
+    throw RequestRefused(say(says::unknown_rule, language, {{"code", word}}));
   }
   return whole_page(code_text(rule->code), html_of_markdown(explain_rule(*rule, 1, language), 0), language);
 }

@@ -41,6 +41,7 @@ class TextLines {
   /// Without its end.
   [[nodiscard]] std::string_view line(std::size_t line) const;
   [[nodiscard]] std::size_t begin(std::size_t line) const { return begins_[line]; }
+  [[nodiscard]] std::size_t offset(TextPosition position) const;
   [[nodiscard]] TextPosition position(std::size_t offset) const;
   /// Units of a piece of a line.
   [[nodiscard]] std::size_t units_of(std::string_view piece) const {
