@@ -16,7 +16,7 @@ constexpr std::string_view section_name = "axisc";
 /// The id of the request for the client's settings.
 constexpr std::string_view settings_request = "axisc.settings";
 
-/// All files that a machine is made of. Some clients do not understand braces and brackets in patterns.
+/// All files that a machine consists of. Not every client understands braces and brackets in patterns.
 constexpr std::array read_files = {"**/*.lis", "**/*.LIS", "**/*.json",   "**/*.nc",
                                    "**/*.NC",  "**/*.xml", "**/*.tsproj", "**/*.xti"};
 
@@ -77,7 +77,7 @@ void Server::ask_for_settings() {
                              {{"items", Json::array({{{"section", section_name}}})}}));
 }
 
-// Clients that support workspace/configuration may push other settings here, or none.
+// Clients that support workspace/configuration may push partial settings.
 Json Server::configure(Json const& params) {
   ask_for_settings();
   auto const told = params.is_object() ? client_settings(params.value("settings", Json())) : std::nullopt;

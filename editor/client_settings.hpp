@@ -1,4 +1,4 @@
-// The settings of an editor about the control and the language: `axisc.cycleTime` and its neighbours.
+// Settings of the editor: `axisc.cycleTime`, `axisc.language` and others.
 #pragma once
 
 #include "editor/reading/requests.hpp"
@@ -8,21 +8,21 @@
 
 namespace axisc::editor {
 
-/// As the user writes them; empty where the options of the program apply.
+/// As written by the user; empty if the program's own options apply.
 struct ClientSettings {
   std::string cycle_time;
   std::string build;
   std::string kind;
   std::string language;  ///< "de", "en", or "auto" for the program's own
-  /// The page that an editor opens for the code of a finding: a URI with {code} for it.
+  /// The page about a finding: a URI with {code} for its code.
   std::string finding_page;
 
   friend bool operator==(ClientSettings const&, ClientSettings const&) = default;
 };
 
-/// Of the section `axisc` of all settings of a client; none without the section.
+/// From all settings of a client; none if the section `axisc` is missing.
 [[nodiscard]] std::optional<ClientSettings> client_settings(Json const& all);
-/// Of the section itself. Values that are not texts count as empty.
+/// From the section itself. Values that are not strings count as empty.
 [[nodiscard]] ClientSettings settings_of_section(Json const& section);
 
 }  // namespace axisc::editor

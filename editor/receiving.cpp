@@ -33,7 +33,7 @@ std::string error(Json const& id, ErrorCode code, std::string_view reason) {
 
 struct Received {
   Json message;
-  bool is_too_deep = false;  ///< copying or writing the message, which recurses, could exhaust the stack
+  bool is_too_deep = false;  ///< copying or writing it recursively could exhaust the stack
 };
 
 Received received(std::string_view text) {
@@ -49,7 +49,7 @@ std::string refusal_of_deep(Json const& message) {
       "the message is nested deeper than " + std::to_string(configuration::deepest_json) + " levels");
 }
 
-/// Where the requests of these ids are cancelled for the last time.
+/// The index of the last cancellation of each request, by its id.
 std::map<std::string, std::size_t> cancellations(std::vector<Received> const& messages) {
   static Json::json_pointer const id("/params/id");
   std::map<std::string, std::size_t> found;
@@ -107,7 +107,7 @@ std::vector<std::string> Server::receive(std::span<std::string const> messages) 
 std::vector<std::string> Server::take(Json const& message) {
   if (message.is_discarded()) return {error(nullptr, ErrorCode::parse_error, "not JSON")};
   if (!message.is_object()) return {error(nullptr, ErrorCode::invalid_request, "not a message")};
-  // An answer of the client.
+  // A response from the client.
   if (!message.contains("method") && (message.contains("result") || message.contains("error"))) {
     if (message.contains("result")) take_answer(message.value("id", Json()), message["result"]);
     return {};
@@ -144,7 +144,7 @@ std::vector<std::string> Server::take(Json const& message) {
     if (phase_ == Phase::shut_down) {
       for (auto& pending : publish()) messages.push_back(std::move(pending));
     }
-    // Written around the result, which may be large, without a copy of it.
+    // The result may be large: it is not copied into another object.
     if (is_request) {
       messages.push_back(R"({"id":)" + dump(id) + R"(,"jsonrpc":"2.0","result":)" + dump(result) + "}");
     }

@@ -11,7 +11,7 @@ namespace axisc::editor {
 
 namespace {
 
-/// A member of the parameters by its path; null where there is none.
+/// A member of the parameters by its path; null if it is missing.
 Json member(Json const& params, std::string const& path) {
   Json::json_pointer const at(path);
   return params.is_object() && params.contains(at) ? params[at] : Json();
@@ -26,7 +26,7 @@ struct EncodingName {
   PositionEncoding encoding;
 };
 
-/// The first known one that the client offers.
+/// The first known encoding that the client offers.
 EncodingName chosen_encoding(Json const& offered) {
   static constexpr std::array known = {EncodingName{"utf-16", PositionEncoding::utf16},
                                        EncodingName{"utf-8", PositionEncoding::utf8},

@@ -24,14 +24,14 @@ struct Surroundings {
   configuration::Files& disk;
   OptionsOf options;
   Language language = Language::english;
-  /// Takes the settings of the client into `options` and returns the language from then on. Null where they do not count.
+  /// Applies the settings of the client to `options`, returns the new language. Null if settings are ignored.
   std::function<Language(ClientSettings const&)> configure = nullptr;
 };
 
 /// A message that the client shows to the user.
 [[nodiscard]] std::string error_message(std::string_view sentence);
 
-/// Life cycle, synchronisation, settings and diagnostics; what concerns open documents alone is in capabilities/.
+/// Life cycle, synchronisation, settings, diagnostics. Capabilities answer requests about open documents.
 class Server {
  public:
   explicit Server(Surroundings surroundings)
@@ -40,11 +40,11 @@ class Server {
   Server(Server const&) = delete;
   Server& operator=(Server const&) = delete;
 
-  /// The answers to one message, without frames. Never throws for a bad message.
+  /// The answers to one message, without frames. Does not throw for bad messages.
   [[nodiscard]] std::vector<std::string> receive(std::string_view message);
-  /// The answers to messages that arrived together: a request that a later one cancels is refused.
+  /// The answers to messages that arrived together: requests that a later message cancels are refused.
   [[nodiscard]] std::vector<std::string> receive(std::span<std::string const> messages);
-  /// Diagnostics of the documents that changes since the last call affect: several changes that arrived together are
+  /// Diagnostics of all documents affected by changes since the last call: changes that arrive together are
   /// checked once.
   [[nodiscard]] std::vector<std::string> publish();
   [[nodiscard]] bool has_ended() const { return phase_ == Phase::ended; }
@@ -54,11 +54,11 @@ class Server {
  private:
   enum class Phase : std::uint8_t { before_initialize, running, shut_down, ended };
   using Handler = Json (Server::*)(Json const& params);
-  /// Null for methods that are not those of the server itself.
+  /// Null for methods of capabilities, and unknown ones.
   static Handler find(std::string_view method);
 
   [[nodiscard]] std::vector<std::string> take(Json const& message);
-  /// The client's answer to the request of this id.
+  /// The client's response to the request with this id.
   void take_answer(Json const& id, Json const& result);
 
   Json initialize(Json const& params);
@@ -81,11 +81,11 @@ class Server {
   Phase phase_ = Phase::before_initialize;
   bool was_shut_down_ = false;
   bool gives_settings_ = false;      ///< the client answers workspace/configuration
-  bool registers_settings_ = false;  ///< the client tells when they change, if it is asked to
-  bool watches_files_ = false;       ///< the client tells when files change on the disk, if it is asked to
+  bool registers_settings_ = false;  ///< the client can notify about changed settings
+  bool watches_files_ = false;       ///< the client can notify about changed files
   ClientSettings settings_;
-  std::vector<std::string> pending_;  ///< requests to the client, sent with the next answer
-  std::set<std::string> changed_;     ///< URIs of open documents whose machines are to be checked
+  std::vector<std::string> pending_;  ///< requests to the client, sent before the next answer
+  std::set<std::string> changed_;     ///< URIs of open documents to check
   std::set<std::string> closed_;
   std::map<std::string, std::string> published_;  ///< the last diagnostics, by URI
 };

@@ -25,7 +25,7 @@ std::optional<std::int64_t> version_of(Json const& item) {
 Json Server::open(Json const& params) {
   auto const& item = params.at("textDocument");
   auto const uri = item.at("uri").get<std::string>();
-  // Complete, or not at all.
+  // Read completely before anything changes.
   Document document{.uri = uri,
                     .path = validator::key_of(path_of(uri)),
                     .text = item.at("text").get<std::string>(),

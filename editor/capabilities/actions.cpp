@@ -20,7 +20,7 @@ namespace axisc::editor {
 
 namespace {
 
-/// A fix may lead to a finding that has another one.
+/// Fixing a finding may lead to another one that has a fix.
 constexpr int most_rounds = 8;
 
 std::string utf8(std::string bytes) {
@@ -39,7 +39,7 @@ Json changes(FixBatch const& batch, SourceSet const& sources, Buffers const& fil
   return {{"changes", std::move(edits)}};
 }
 
-/// Editors ask for a kind and mean everything below it: `source` for `source.fixAll.axisc`.
+/// A kind includes everything below it: `source` stands for `source.fixAll.axisc`, too.
 bool wants(Json const& params, std::string_view kind) {
   auto const only = Json::json_pointer("/context/only");
   if (!params.contains(only) || !params[only].is_array()) return true;

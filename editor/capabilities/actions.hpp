@@ -1,4 +1,4 @@
-// Code actions: fixes of findings, all safe fixes at once, and what can be done with the line at the cursor.
+// Code actions: fixes of findings, all safe fixes at once, and additions to the line at the cursor.
 #pragma once
 
 #include "editor/capabilities/capability.hpp"

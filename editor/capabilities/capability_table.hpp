@@ -7,9 +7,9 @@
 
 namespace axisc::editor {
 
-/// Null for a method that is not one of open documents.
+/// Null for other methods.
 [[nodiscard]] Capability find_capability(std::string_view method);
-/// As a client is told of them.
+/// The answer to `initialize`, as far as it concerns them.
 [[nodiscard]] Json announced_capabilities();
 
 }  // namespace axisc::editor

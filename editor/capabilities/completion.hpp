@@ -6,7 +6,7 @@
 namespace axisc::editor {
 
 [[nodiscard]] Json complete(OpenMachines& machines, Json const& params);
-/// The item with the page that a hover shows; an item without a parameter is complete already.
+/// Adds the page that a hover shows. Items that are not parameters are returned unchanged.
 [[nodiscard]] Json resolve_completion(OpenMachines& machines, Json const& params);
 
 }  // namespace axisc::editor

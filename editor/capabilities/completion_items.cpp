@@ -26,7 +26,7 @@ std::string_view bare(std::string_view segment) {
   return segment.substr(0, segment.find('['));
 }
 
-/// The indices that a list gives the names that begin with `prefix`, `filter[`.
+/// The indices that a list uses after `prefix`, such as `filter[`.
 std::set<std::uint32_t> used_indices(OpenList const& list, std::string_view prefix) {
   std::set<std::uint32_t> used;
   for (auto const& line : list.tree().assignments) {
@@ -40,7 +40,7 @@ std::set<std::uint32_t> used_indices(OpenList const& list, std::string_view pref
   return used;
 }
 
-/// Segments of names, each with the parameter that it ends, or null.
+/// Segments that can follow what is typed, each with the parameter whose name it completes, or null.
 class Segments {
  public:
   Segments(OpenList const& list, std::string_view typed)

@@ -13,11 +13,11 @@ namespace axisc::editor {
 
 enum class ItemKind : int { property = 10, module = 9, enumeration_member = 20, reference = 18 };
 
-/// What all items of one completion share.
+/// Collects the items of one completion.
 class CompletionItems {
  public:
-  /// `range` is replaced by the label. `uri` is that of the document, which the client sends back to ask for the
-  /// documentation of a parameter; empty where items carry it themselves.
+  /// The label replaces `range`. Clients that ask for the documentation of an item send back `uri`, that of
+  /// the document; if it is empty, items carry their documentation.
   CompletionItems(Json range, Language language, std::string uri)
       : range_(std::move(range)), language_(language), uri_(std::move(uri)) {}
 

@@ -74,7 +74,7 @@ Json diagnostics(OpenMachines& machines, Document const& document) {
   auto& reading = machines.reading_of(document);
   Places const places(reading.sources(), reading.files(), machines.encoding());
   Json found = Json::array();
-  // Most findings are in the file of the one before.
+  // Most findings are in the same file as the one before.
   std::optional<std::string> file;
   bool is_here = false;
   for (auto const& finding : reading.findings()) {

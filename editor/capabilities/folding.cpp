@@ -21,9 +21,9 @@ LineKind kind_of(std::string_view line) {
 Json fold(OpenMachines& machines, Json const& params) {
   TextLines const lines(machines.asked(params).text, machines.encoding());
   auto ranges = Json::array();
-  std::size_t heading = 0;  // of the section, one more than its line; 0: none
-  std::size_t comment = 0;  // first line of the present run of comments, likewise
-  std::size_t last = 0;     // that is not blank
+  std::size_t heading = 0;  // line of the section's heading plus one; 0: none
+  std::size_t comment = 0;  // first line of the current comment plus one; 0: none
+  std::size_t last = 0;     // last line that is not blank plus one
   bool has_content = false;
   auto before = LineKind::blank;
   auto const end_comment = [&](std::size_t end) {

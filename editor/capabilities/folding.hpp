@@ -1,11 +1,12 @@
-// Comments, and the lines that they head, as ranges that an editor can fold.
+// Folding ranges: comments, and the lines below them.
 #pragma once
 
 #include "editor/capabilities/capability.hpp"
 
 namespace axisc::editor {
 
-/// A comment heads the lines after it, up to the next comment after a blank line; a comment of several lines folds by itself.
+/// A comment is the heading of the lines after it, up to the next comment that follows a blank line. Comments
+/// of several lines can be folded, too.
 [[nodiscard]] Json fold(OpenMachines& machines, Json const& params);
 
 }  // namespace axisc::editor

@@ -34,7 +34,7 @@ Json format_range(OpenMachines& machines, Json const& params) {
   TextLines const after(whole, machines.encoding());
   auto const first = position_in(params.at("range").at("start")).line;
   auto const last = position_in(params.at("range").at("end"));
-  // An end at the beginning of a line leaves that line out.
+  // A range that ends at the beginning of a line does not include that line.
   auto const end = std::min(before.count(), last.line + (last.character > 0 || last.line == first ? 1 : 0));
   auto edits = Json::array();
   for (auto line = first; line < end && before.count() == after.count(); ++line) {

@@ -6,7 +6,7 @@
 namespace axisc::editor {
 
 [[nodiscard]] Json format(OpenMachines& machines, Json const& params);
-/// The lines of the range as they are in the aligned list: lines keep their numbers.
+/// Takes the lines of the range from the aligned list. Formatting keeps line numbers.
 [[nodiscard]] Json format_range(OpenMachines& machines, Json const& params);
 
 }  // namespace axisc::editor

@@ -44,18 +44,18 @@ std::vector<Line> lines_in(LoadedList const& list, schema::Slot slot) {
   return lines;
 }
 
-/// The lines that set a parameter, as items: each overrides those that the control reads before it, and the default.
+/// The lines that set a parameter, as items: each overrides the default and the lines read before it.
 class ValueHierarchy {
  public:
-  /// `asked` is the open document that the client asked from. Both outlive this object.
+  /// `asked` is the document that the request came from. Both outlive this object.
   ValueHierarchy(OpenMachines& machines, Document const& asked)
       : machines_(machines),
         asked_(asked),
         reading_(machines.reading_of(asked)),
         places_(reading_.sources(), reading_.files(), machines.encoding()) {}
 
-  /// The parameter at a byte of the document, or the one whose number a reference or comment names there: the lines
-  /// that set it for the document, its default where none does.
+  /// The lines that set a parameter for the document, or its default if there are none: the parameter at a
+  /// byte, or the one whose number a reference or comment there names.
   [[nodiscard]] Json items_at(std::size_t offset) const {
     auto items = Json::array();
     auto const* const list = list_of(asked_.uri);
@@ -84,7 +84,7 @@ class ValueHierarchy {
     return items.empty() ? Json() : items;
   }
 
-  /// The lines that an item overrides, in the order of reading, the default last.
+  /// The lines that an item overrides, in the order in which the control reads them; the default is last.
   [[nodiscard]] Json overridden(Json const& item) const {
     auto items = Json::array();
     auto const* const list = list_of(item.at("uri").get<std::string>());
@@ -97,7 +97,7 @@ class ValueHierarchy {
     return items;
   }
 
-  /// The lines that override an item, in the order of reading: later ones of its list, and for a default list those of all axes.
+  /// The lines that override an item, in that order; for a default list, lines of all axes.
   [[nodiscard]] Json overriding(Json const& item) const {
     auto items = Json::array();
     auto const* const list = list_of(item.at("uri").get<std::string>());
@@ -126,7 +126,7 @@ class ValueHierarchy {
     return nullptr;
   }
 
-  /// The default list of an axis list or of the default list itself.
+  /// Null for lists that have no default list.
   [[nodiscard]] LoadedList const* defaults_of(LoadedList const& list) const {
     return list.kind == schema::ListKind::axis ? reading_.machine()->list_of_defaults() : nullptr;
   }
@@ -197,7 +197,7 @@ class ValueHierarchy {
   Places places_;
 };
 
-/// An item carries the document that it was asked from.
+/// For the document that the item was requested from.
 ValueHierarchy hierarchy_of(OpenMachines& machines, Json const& item) {
   return {machines, machines.document(item.at("data").at("document"))};
 }

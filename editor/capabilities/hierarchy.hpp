@@ -1,4 +1,4 @@
-// From a parameter to everything that sets it: the values that it overrides, and those that override it.
+// The hierarchy of values: the lines that a line overrides, and the lines that override it.
 #pragma once
 
 #include "editor/capabilities/capability.hpp"

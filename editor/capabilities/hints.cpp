@@ -19,7 +19,7 @@ namespace axisc::editor {
 
 namespace {
 
-/// "= 42.5 Hz"; empty where the unit is not known.
+/// "= 42.5 Hz"; empty if the unit is unknown.
 std::string quantity(OpenList const& list, grammar::Assignment const& line, Language language) {
   auto const found = list.find(list.slice(line.name));
   if (found.row == nullptr || !found.row->symbols.empty()) return {};
@@ -31,7 +31,7 @@ std::string quantity(OpenList const& list, grammar::Assignment const& line, Lang
              : "= " + validator::physical(number.number, unit).in(language);
 }
 
-/// The values that the type of the filter uses and that no list sets: "order 2, guete 1".
+/// Values that the filter's type uses and no list sets: "order 2, guete 1".
 std::string defaults_of(validator::FilterView const& filter) {
   std::string text;
   auto const add = [&text](validator::EffectiveValue const& value, bool is_used) {

@@ -1,4 +1,4 @@
-// Hints in the text: the quantity of a raw number, and the defaults that a filter takes.
+// Inlay hints: the quantity of a raw number, and the defaults that a filter uses.
 #pragma once
 
 #include "editor/capabilities/capability.hpp"

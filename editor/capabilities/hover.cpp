@@ -42,7 +42,7 @@ std::string quantity(OpenList const& list, schema::Parameter const& parameter, s
   return text + " | " + validator::physical(number.number, parameter.unit_rotary).in(language);
 }
 
-/// The meaning of a value of an enumeration by the catalogue; empty where it has none.
+/// The catalogue's description of an enumeration value; empty if there is none.
 std::string value_meaning(schema::Parameter const& parameter, std::string_view raw, Language language) {
   auto const number = schema::read_real(raw);
   bool const is_number = number.status == schema::NumberStatus::good;
@@ -68,7 +68,7 @@ std::string value_text(OpenList const& list, schema::Parameter const& parameter,
   return quantity(list, parameter, raw, language) + (meaning.empty() ? "" : ": " + meaning);
 }
 
-/// The value that the axis has, where its line is elsewhere.
+/// The value in effect, if another line or the default decides it.
 std::string effective_text(OpenList const& list, schema::Slot slot, std::uint32_t line, Language language) {
   if (list.axis() == nullptr) return {};
   auto const& value = list.axis()->merged.values[slot];

@@ -1,4 +1,4 @@
-// The meaning of what the user points at: a name, a value, the number of a parameter, a command of a program.
+// Hovers: the meaning of a name, a value, the number of a parameter, or a command of an NC program.
 #pragma once
 
 #include "editor/capabilities/capability.hpp"

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::string_view directive = "axisc: allow ";
 
-/// The text that makes the comment of a line allow a code.
+/// What to append to a comment so that it allows a code.
 std::string allowance(std::string_view comment, std::string const& code) {
   if (comment.empty()) return "  ( " + std::string(directive) + code;
   auto const before = comment.rfind(directive);
@@ -45,9 +45,9 @@ bool is_comment(grammar::TrailerKind kind) {
   return kind == TrailerKind::parenthesis || kind == TrailerKind::hash;
 }
 
-/// A value with a unit after it: "20 ms", "42.5Hz", "0,1 kHz".
+/// A value with its unit: "20 ms", "42.5Hz", "0,1 kHz".
 struct Measured {
-  std::string text;  ///< as it is written
+  std::string text;  ///< as written
   double number = 0;
   std::string unit;
 };
@@ -80,12 +80,12 @@ struct Rewrite {
   std::string text;
 };
 
-/// The written value stays as a comment.
+/// The original value is kept as a comment.
 std::optional<Rewrite> conversion(OpenMachines& machines, OpenList const& list,
                                   grammar::Assignment const& line, schema::Parameter const& row) {
   auto const value = measured(list, line);
   if (!value || !schema::is_number(row.type)) return std::nullopt;
-  // A list alone may be one for axes of both types.
+  // Without a machine, the axis may be of either type.
   for (auto const unit : {row.unit_translatory, row.unit_rotary}) {
     auto const ratio = validator::unit_ratio(value->unit, unit);
     if (!ratio) continue;
@@ -101,7 +101,7 @@ std::optional<Rewrite> conversion(OpenMachines& machines, OpenList const& list,
   return std::nullopt;
 }
 
-/// Where the line has no comment yet.
+/// Only for lines without a comment.
 std::optional<Rewrite> word(OpenMachines& machines, OpenList const& list, grammar::Assignment const& line,
                             schema::Parameter const& row) {
   auto const number = schema::read_real(list.slice(line.value));
@@ -129,7 +129,7 @@ void add_finding_actions(Json& actions, OpenMachines& machines, Document const& 
     TextLines const lines(document.text, machines.encoding());
     auto const line = shown["range"]["start"]["line"].get<std::size_t>();
     auto const* const assignment = line < lines.count() ? list.line_at(lines.begin(line)) : nullptr;
-    // A line that cannot be read as name and value has its allowance above.
+    // The allowance of a line that is not a name with a value goes on the line above.
     auto const comment = assignment == nullptr ? std::string_view() : list.slice(assignment->trailer);
     bool const is_beside = assignment != nullptr && (comment.empty() || is_comment(assignment->trailer_kind));
     auto const at = is_beside ? lines.position(end_of(*assignment)) : TextPosition{.line = line};

@@ -1,4 +1,4 @@
-// Actions that insert something in a single line of a document.
+// Code actions that insert text in one line.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -6,11 +6,11 @@
 
 namespace axisc::editor {
 
-/// Allowing a finding on its line, and its page. `shown` is its diagnostic.
+/// Allow a finding on its line, and explain it. `shown` is its diagnostic.
 void add_finding_actions(Json& actions, OpenMachines& machines, Document const& document,
                          Finding const& finding, Json const& shown);
-/// For the line at a byte: the word of a number of an enumeration as a comment, and the number in the unit of the list
-/// for a value that was written with another unit.
+/// For the line at a byte: name the number of an enumeration in a comment, and convert a value that has a
+/// unit to the unit of the list.
 void add_rewrites(Json& actions, OpenMachines& machines, Document const& document, std::size_t offset);
 
 }  // namespace axisc::editor

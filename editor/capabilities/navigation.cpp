@@ -26,7 +26,7 @@ namespace axisc::editor {
 
 namespace {
 
-/// The files that a machine file or a start-up list names, where they are found.
+/// A file that a machine file or a start-up list names, and that exists.
 struct NamedFile {
   Place place;
   std::string path;
@@ -71,7 +71,7 @@ std::vector<NamedFile> named_files(Buffers& files, SourceSet& sources, Document 
 
 enum class LinesOf : std::uint8_t { list, machine };
 
-/// The lines that set the parameter at a byte; of the whole machine, or those that decide it for the list.
+/// The lines that set the parameter at a byte: for the list alone, or in the whole machine.
 Json lines_setting(OpenMachines& machines, Document const& asked, std::size_t offset, LinesOf of) {
   auto found = Json::array();
   auto& reading = machines.reading_of(asked);

@@ -90,7 +90,7 @@ class PagesOfMachine {
             .script_digests = {script_digest(pictures::page_script(language_))}};
   }
 
-  /// The line of the axis, of each axis with its name where none is named; the reason where there is no figure.
+  /// For the axis of the subject, or for each axis with its name. Gives the reason if there are no figures.
   [[nodiscard]] std::string cascade() {
     std::string text;
     if (!image_) return say(says::no_figures);
@@ -145,7 +145,7 @@ class PagesOfMachine {
     return kind == "corner" ? corner_figure(contours, {}) : circle_figure(contours, {});
   }
 
-  /// The deviation is that of a corner between two axes with this chain.
+  /// The corner is between two axes with this chain.
   [[nodiscard]] std::string cascade_text(motion::ChainAnswer const& answer,
                                          machine::AxisConfiguration const& axis) const {
     auto const cycle_time = result_.machine->cycle_time;
@@ -206,7 +206,7 @@ Page explanation_page(PageSubject const& subject) {
   return whole_page(code_text(rule->code), html_of_markdown(explain_rule(*rule, 1, language), 0), language);
 }
 
-/// A failure of the input is the reason that the client shows.
+/// The client shows why an input fails.
 template <Page (*make)(PageSubject const&)>
 Page page(PageSubject const& subject) {
   try {

@@ -16,17 +16,16 @@ namespace axisc::editor {
 struct Page {
   std::string title;
   std::string html;  ///< a whole document
-  /// Of its inline scripts, for a content security policy. They come from the program, not from the document: a script
-  /// that got into it from a list has none.
+  /// Digests of inline scripts for a content security policy. They are computed from the program, not from
+  /// the document: a script that a list smuggled in has none.
   std::vector<std::string> script_digests = {};
 };
 
-/// The subject of a page.
 struct PageSubject {
-  configuration::Files& files;      ///< unsaved documents count
+  configuration::Files& files;      ///< with unsaved documents
   std::string machine;              ///< the input
-  std::optional<std::string> axis;  ///< of the document
-  std::vector<std::string> words;   ///< that the client adds
+  std::optional<std::string> axis;  ///< that the document configures
+  std::vector<std::string> words;   ///< further arguments of the command
   Language language = Language::english;
   OptionsOf const& options;
 };
@@ -36,11 +35,12 @@ struct PageCommand {
   Page (*page)(PageSubject const&);
 };
 
-/// `axisc.report`, `axisc.plot KIND`, `axisc.machine` and `axisc.explain CODE`. RequestRefused where there is no page.
+/// `axisc.report`, `axisc.plot KIND`, `axisc.machine` and `axisc.explain CODE`. They throw RequestRefused if
+/// there is no page.
 [[nodiscard]] std::span<PageCommand const> page_commands();
 
-/// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" of the axis, of each axis where none is named, or the reason
-/// why there is no figure.
+/// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" for the axis, or for each axis if none is named; or
+/// the reason why there are no figures.
 [[nodiscard]] std::string cascade_line(PageSubject const& subject);
 
 }  // namespace axisc::editor

@@ -18,7 +18,7 @@ namespace {
 
 enum class SymbolKind : int { property = 7, object = 19 };
 
-/// "BANDSTOP 42 Hz" of a filter.
+/// What a line adds to the summary of its filter, "BANDSTOP 42 Hz".
 std::string summary(std::string_view key, std::string_view value, Language language) {
   if (key == "type") return std::string(value);
   if (key != "fg_f0") return {};

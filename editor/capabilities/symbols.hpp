@@ -1,4 +1,4 @@
-// The outline of a list, and the axes and channels of all open machines.
+// Symbols: the outline of a list, and the axes and channels of all open machines.
 #pragma once
 
 #include "editor/capabilities/capability.hpp"

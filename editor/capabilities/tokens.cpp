@@ -16,7 +16,7 @@ constexpr std::array type_names = {"property", "number", "enumMember", "variable
 constexpr unsigned ignored = 1;
 constexpr std::array modifier_names = {"deprecated"};
 
-/// Tokens in the order of the text, each relative to the one before, as the protocol wants them.
+/// Tokens in text order, each relative to the one before, as the protocol requires.
 class Tokens {
  public:
   explicit Tokens(TextLines const& lines) : lines_(lines) {}
@@ -66,7 +66,7 @@ TokenType type_of(grammar::Assignment const& line, schema::Parameter const* para
   return TokenType::string;
 }
 
-/// Segments, and between brackets the indices.
+/// Segments, and indices in brackets.
 void add_name(Tokens& tokens, std::size_t offset, std::string_view name, unsigned modifiers) {
   std::size_t begin = 0;
   bool is_index = false;
@@ -80,7 +80,7 @@ void add_name(Tokens& tokens, std::size_t offset, std::string_view name, unsigne
   }
 }
 
-/// A line without assignment.
+/// A line without an assignment.
 void add_rest(Tokens& tokens, std::size_t offset, std::string_view line) {
   auto const begin = line.find_first_not_of(" \t");
   if (begin == std::string_view::npos) return;

@@ -5,7 +5,7 @@
 
 namespace axisc::editor {
 
-/// What the numbers of the tokens mean.
+/// The meaning of the numbers in tokens.
 [[nodiscard]] Json token_legend();
 [[nodiscard]] Json tokens(OpenMachines& machines, Json const& params);
 

@@ -60,7 +60,7 @@ class Magnitude {
     }
   }
 
-  /// Where the magnitude falls below -3 dB for the first time, or rises above it.
+  /// The lowest frequency at which the magnitude crosses -3 dB.
   [[nodiscard]] std::optional<double> corner() const {
     double const limit = 10 * std::log10(0.5);
     bool const is_below = curve_.front().y < limit;

@@ -74,7 +74,7 @@ std::string line_of_axis(validator::LoadedAxis const& axis, design::CycleTime cy
                format_rounded(design.group_delay_cycles * cycle_time.microseconds() / 1000, shown_digits)}});
 }
 
-/// Where the command ends: its name, or its last keyword.
+/// The end of the command: after `]`, or at the end of its line.
 std::uint32_t end_of(grammar::NcCommand const& command, std::string_view text) {
   auto const line_end = std::min(text.find_first_of("\r\n", command.name.begin), text.size());
   auto const bracket = text.find(']', command.name.begin);

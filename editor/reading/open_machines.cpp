@@ -9,7 +9,7 @@ namespace axisc::editor {
 
 namespace {
 
-/// Its text may say which files belong together.
+/// Its text may determine which files belong together.
 bool may_be_machine(Document const& document) {
   return !is_list(document.path) ? !document.path.ends_with(".nc")
                                  : configuration::looks_like_start_up_list(document.text);
@@ -39,7 +39,7 @@ OpenMachines::Uris OpenMachines::open(Document document) {
   open_paths_ = nullptr;
   machines_.erase(uri);
   forget_readings();
-  // A new file may be one that a machine misses.
+  // A machine may be missing this new file.
   bool const is_new = !disk_.is_file(opened.path);
   return may_be_machine(opened) || (is_new && readers_.know(opened.path)) ? forget() : Uris{uri};
 }

@@ -1,4 +1,4 @@
-// The open documents, the machines that they belong to, and the client that asks about them: what every capability reads.
+// Open documents, their machines and the client: the state that all capabilities share.
 #pragma once
 
 #include "axisc/workspace/buffers.hpp"
@@ -18,14 +18,14 @@
 
 namespace axisc::editor {
 
-/// How the client counts, what it can show, and how its user wants to read it.
+/// How the client counts positions and shows text.
 struct Client {
   Language language = Language::english;
   PositionEncoding encoding = PositionEncoding::utf16;
   bool markdown = true;  ///< in hovers
   bool markdown_in_completion = false;
-  bool documents_lazily = false;  ///< it asks for the documentation of the completion that it shows
-  std::string finding_page = {};  ///< URI of the page of a finding, with {code} for its code; empty for none
+  bool documents_lazily = false;  ///< it asks for the documentation of a selected completion
+  std::string finding_page = {};  ///< URI of the page about a finding, with {code}; may be empty
 };
 
 class OpenMachines {
@@ -46,29 +46,29 @@ class OpenMachines {
   }
 
   [[nodiscard]] Documents const& documents() const { return documents_; }
-  /// By its URI; std::out_of_range where it is not open.
+  /// By its URI; throws std::out_of_range if it is not open.
   [[nodiscard]] Document const& document(Json const& uri) const;
   /// The document that a request names.
   [[nodiscard]] Document const& asked(Json const& params) const;
-  /// The byte of a document that a request names, as its "position".
+  /// The byte at the "position" of a request.
   [[nodiscard]] std::size_t offset(Document const& document, Json const& params) const;
-  /// The range of two bytes of a document.
+  /// The range between two bytes of a document.
   [[nodiscard]] Json range(Document const& document, std::size_t begin, std::size_t end) const;
 
   /// Each returns the open documents whose findings may have changed.
   [[nodiscard]] Uris open(Document document);
   [[nodiscard]] Uris replace(Document const& document, std::string text, std::optional<std::int64_t> version);
   [[nodiscard]] Uris close(std::string const& uri);
-  /// For changes outside the documents, in files or settings.
+  /// For changes of files or settings.
   [[nodiscard]] Uris forget();
-  /// Machines are read again when they are needed; which files they looked for stays known.
+  /// Machines are read again on demand; the record of files that they looked for is kept.
   void forget_readings();
 
   [[nodiscard]] OptionsOf const& options() const { return options_; }
   [[nodiscard]] Buffers buffers();
-  /// The files as they would be with these documents, which outlive the result.
+  /// The disk with other documents over it, which outlive the result.
   [[nodiscard]] Buffers buffers(Documents const& documents) const { return {documents, disk_}; }
-  /// The input that the document belongs to.
+  /// The input of the machine that the document belongs to.
   [[nodiscard]] std::string const& machine_of(Document const& document);
   [[nodiscard]] MachineReading& reading_of(std::string const& machine);
   [[nodiscard]] MachineReading& reading_of(Document const& document) {
@@ -85,9 +85,10 @@ class OpenMachines {
   Documents documents_;
   std::shared_ptr<OpenPaths const> open_paths_;  ///< null after a document was opened or closed
   MachineSearch search_;
-  Readers readers_;  ///< of machines of open documents, without those that are about to be checked anyway
-  std::map<std::string, std::string> machines_;  ///< of open documents, by URI; emptied where they may change
-  /// By the machine's input. A changed document removes those that depend on it, an opened or closed one all.
+  Readers readers_;  ///< of machines whose readings were dropped and that are not checked anyway
+  std::map<std::string, std::string>
+      machines_;  ///< inputs, by URI of the document; cleared if they may change
+  /// By input. Changing a document drops those that depend on it; opening or closing one drops all.
   std::map<std::string, std::unique_ptr<MachineReading>> readings_;
 };
 

@@ -78,7 +78,7 @@ Json edits_between(std::string_view before, std::string_view after, PositionEnco
   while (begin < shorter && before[begin] == after[begin]) ++begin;
   std::size_t end = 0;
   while (end < shorter - begin && before[before.size() - 1 - end] == after[after.size() - 1 - end]) ++end;
-  // Whole characters, and CR LF as one.
+  // Edits do not split characters or CR LF.
   auto const is_inside = [](std::string_view text, std::size_t at) {
     return at > 0 && at < text.size() &&
            (is_continuation_byte(text[at]) || (text[at - 1] == '\r' && text[at] == '\n'));

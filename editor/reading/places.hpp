@@ -30,22 +30,22 @@ class Places {
   SourceSet const& sources_;
   Buffers const& buffers_;
   PositionEncoding encoding_;
-  /// The lines with a CR alone, one entry for each: it ends a line for the protocol and not for a list.
+  /// The line of each CR without LF: it ends a line in the protocol, but not in a list.
   mutable std::map<SourceId, std::vector<std::uint32_t>> lone_returns_;
 };
 
 [[nodiscard]] Json position_json(TextPosition position);
 [[nodiscard]] Json range_json(TextPosition begin, TextPosition end);
-/// Of two bytes of a text.
+/// The range between two bytes of a text.
 [[nodiscard]] Json range_between(std::string_view text, std::size_t begin, std::size_t end,
                                  PositionEncoding encoding);
 
-/// The cursor is in the span, or at one of its ends.
+/// True inside the span and at both ends, as for a cursor.
 [[nodiscard]] constexpr bool touches(Span span, std::size_t offset) {
   return span.begin <= offset && offset <= span.end;
 }
 
-/// The one edit that makes `after` from `before`; an empty array for equal texts.
+/// A single edit that turns `before` into `after`; empty for equal texts.
 [[nodiscard]] Json edits_between(std::string_view before, std::string_view after, PositionEncoding encoding);
 
 }  // namespace axisc::editor

@@ -1,4 +1,4 @@
-// What requests have in common.
+// Helpers for requests: reading positions, refusing, writing JSON and sentences.
 #pragma once
 
 #include "diagnostics/message.hpp"
@@ -14,16 +14,16 @@ namespace axisc::editor {
 
 using Json = nlohmann::json;
 
-/// Why a request has no answer, in the user's language.
+/// The reason why a request fails, in the user's language.
 class RequestRefused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A position that a client names. A Json exception where it is none: also negative and broken numbers.
+/// Throws an exception of Json if it is not a position: negative and fractional numbers are not.
 [[nodiscard]] TextPosition position_in(Json const& json);
 
-/// On one line. Bytes that are not UTF-8 are replaced.
+/// In one line; invalid UTF-8 is replaced.
 [[nodiscard]] std::string dump(Json const& message);
 
 [[nodiscard]] std::string say(SentenceRef sentence, Language language, std::vector<Argument> arguments = {});

@@ -18,20 +18,20 @@ struct TextPosition {
                                     TextPosition const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// The byte of a position in UTF-8 text. A position after the end of its line is that end, one after the last line the
-/// end of the text. Lines end with LF, CRLF or CR.
+/// The byte at a position in UTF-8 text. Positions after the end of a line mean its end, those after the last
+/// line the end of the text. Lines end with LF, CRLF or CR.
 [[nodiscard]] std::size_t offset_of(std::string_view text, TextPosition position, PositionEncoding encoding);
 
 /// The position of a byte.
 [[nodiscard]] TextPosition position_of(std::string_view text, std::size_t offset, PositionEncoding encoding);
 
-/// The byte at which a number of units begins that are counted across line ends of any kind.
+/// The byte after a number of units; line ends count as units.
 [[nodiscard]] std::size_t offset_of_unit(std::string_view text, std::size_t unit, PositionEncoding encoding);
 
-/// Units of the first `characters` characters of a line.
+/// Number of units in the first `characters` characters of a line.
 [[nodiscard]] std::size_t units(std::string_view line, std::size_t characters, PositionEncoding encoding);
 
-/// Where each line of a text begins: for many positions in it.
+/// The lines of a text, for many positions in it.
 class TextLines {
  public:
   /// The text outlives the lines.
@@ -43,7 +43,7 @@ class TextLines {
   [[nodiscard]] std::size_t begin(std::size_t line) const { return begins_[line]; }
   [[nodiscard]] std::size_t offset(TextPosition position) const;
   [[nodiscard]] TextPosition position(std::size_t offset) const;
-  /// Units of a piece of a line.
+  /// Number of units in a piece of a line.
   [[nodiscard]] std::size_t units_of(std::string_view piece) const {
     return units(piece, piece.size(), encoding_);
   }
