@@ -1,8 +1,8 @@
-// The language server shows what lint says.
-#include "cli/editor/conversation.hpp"
+// The language server shows what the commands print.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/conversation.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -84,6 +84,46 @@ Json shown_in(std::vector<Json> const& notifications, std::string const& path) {
   return shown;
 }
 
+/// The text after edits; they do not overlap.
+std::string edited(std::string text, Json edits) {
+  auto const offset = [&text](Json const& at) {
+    std::size_t begin = 0;
+    for (int line = 0; line < at["line"].get<int>(); ++line) begin = text.find('\n', begin) + 1;
+    return begin + at["character"].get<std::size_t>();
+  };
+  std::reverse(edits.begin(), edits.end());
+  for (auto const& edit : edits) {
+    auto const begin = offset(edit["range"]["start"]);
+    text.replace(begin, offset(edit["range"]["end"]) - begin, edit["newText"].get<std::string>());
+  }
+  return text;
+}
+
+Json const whole = {{"start", {{"line", 0}, {"character", 0}}}, {"end", {{"line", 9999}, {"character", 0}}}};
+
+Json actions(std::string const& path, std::string const& text, Json const& only) {
+  return Conversation("utf-8")
+      .open(path, text)
+      .ask("textDocument/codeAction", path,
+           {{"range", whole}, {"context", {{"diagnostics", Json::array()}, {"only", only}}}})
+      .results()[0];
+}
+
+Json hover(std::string const& path, std::string const& text, int line, int character) {
+  return Conversation().open(path, text).ask_at("textDocument/hover", path, line, character).results()[0];
+}
+
+std::string hover_text(std::string const& path, std::string const& text, int line, int character) {
+  auto const shown = hover(path, text, line, character);
+  return shown.is_null() ? "" : shown["contents"]["value"].get<std::string>();
+}
+
+bool contains(std::string const& text, std::string const& piece) {
+  INFO(text);
+  CHECK(text.find(piece) != std::string::npos);
+  return text.find(piece) != std::string::npos;
+}
+
 }  // namespace
 
 TEST_CASE("each sample alone shows what lint says of it in its machine") {
@@ -151,95 +191,84 @@ TEST_CASE("all samples together show what lint says of each") {
   CHECK(findings > 20);
 }
 
-TEST_CASE("an unsaved default list changes what other open lists of its machine show") {
+TEST_CASE("fixing all in the editor equals lint --fix") {
   TemporaryFolder const folder;
-  folder.write(
-      "machine.json",
-      R"({"cycle_time_us": 1000, "default_list": "all.lis", "axes": [{"name": "X", "list": "lists/x.lis"}]})");
-  folder.write("all.lis", "filter[0].type LOWPASS\n");
-  folder.write("lists/x.lis", "filter[0].enable 1\nfilter[0].order 1\nfilter[0].time_constant 5000\n");
-  auto const list = folder.path() + "/lists/x.lis";
-  // The same file, written otherwise.
-  auto const defaults = folder.path() + "/lists/.././all.lis";
-  auto const codes = [&](Json const& items) {
-    std::string all;
-    for (auto const& item : items) all += item["code"].get<std::string>() + " ";
-    return all;
-  };
-  Conversation conversation;
-  auto const results = conversation.open(defaults)
-                           .open(list)
-                           .ask("textDocument/diagnostic", list)
-                           .change(defaults, "filter[0].type PT1\n")
-                           .ask("textDocument/diagnostic", list)
-                           .results();
-  CHECK(codes(results[0]["items"]).find("AX3009") != std::string::npos);
-  CHECK(codes(results[1]["items"]).find("AX3009") == std::string::npos);
-  // Told without being asked.
-  CHECK(shown_in(conversation.notifications(), list) == results[1]["items"]);
-}
-
-TEST_CASE("a machine file that is being written counts") {
-  TemporaryFolder const folder;
-  folder.write("x.lis",
-               "filter[0].enable 1\nfilter[0].order 1\nfilter[0].type PT1\nfilter[0].time_constant 1500\n");
-  auto const list = folder.path() + "/x.lis";
-  auto const machine = folder.path() + "/machine.json";
-  auto const results =
-      Conversation()
-          .open(list)
-          .open(machine, "{}")
-          .ask("textDocument/diagnostic", list)
-          .change(machine, R"({"cycle_time_us": 4000, "axes": [{"name": "X", "list": "x.lis"}]})")
-          .ask("textDocument/diagnostic", list)
-          .results();
-  CHECK(results[0]["items"].dump().find("AX3004") == std::string::npos);
-  CHECK(results[1]["items"].dump().find("AX3004") != std::string::npos);
-}
-
-TEST_CASE("team settings apply") {
-  TemporaryFolder const folder;
-  folder.write("axisc.json", R"({"disable": ["AX2001"]})");
-  auto const list = folder.path() + "/x.lis";
-  auto const results =
-      Conversation().open(list, "kopx.achs_nr 1\n").ask("textDocument/diagnostic", list).results();
-  CHECK(results[0]["items"].dump().find("AX2001") == std::string::npos);
-}
-
-TEST_CASE("a mistake in the team settings is told once") {
-  TemporaryFolder const folder;
-  folder.write("axisc.json", R"({"disable": 5})");
-  auto const list = folder.path() + "/x.lis";
-  Conversation conversation;
-  (void)conversation.open(list, "kopx.achs_nr 1\n")
-      .ask("textDocument/diagnostic", list)
-      .ask("textDocument/hover", list, {{"position", {{"line", 0}, {"character", 1}}}})
-      .results();
-  auto const& sent = conversation.notifications();
-  CHECK(std::count_if(sent.begin(), sent.end(), [](Json const& message) {
-          return message["method"] == "window/showMessage" && message["params"]["type"] == 1 &&
-                 message["params"]["message"].get<std::string>().find("axisc.json") != std::string::npos;
-        }) == 1);
-}
-
-TEST_CASE("ignored text is marked as unnecessary") {
-  auto const results = Conversation()
-                           .open("/x.lis", "kopf.achs_nr 1\nEnde\nkopf.achs_nr 2\n")
-                           .ask("textDocument/diagnostic", "/x.lis")
-                           .results();
-  bool found = false;
-  for (auto const& diagnostic : results[0]["items"]) {
-    if (diagnostic["code"] != "AX1008") continue;
-    found = true;
-    CHECK(diagnostic["tags"] == Json::array({1}));
+  for (auto const* const sample : {"typing", "comments", "references", "units", "without-effect"}) {
+    INFO(sample);
+    auto const text = text_of(source_path(std::string("samples/mistakes/") + sample + ".lis"));
+    auto const list = folder.path() + "/" + sample + ".lis";
+    folder.write(std::string(sample) + ".lis", text);
+    for (auto const& only : {Json({"source.fixAll.axisc"}), Json({"source.fixAll"}), Json({"source"})}) {
+      auto const offered = actions(list, text, only);
+      auto fixed = text;
+      if (!offered.empty()) {
+        CHECK(offered[0]["kind"] == "source.fixAll.axisc");
+        fixed = edited(text, offered[0]["edit"]["changes"]["file://" + list]);
+      }
+      folder.write(std::string(sample) + ".lis", text);
+      (void)run_axisc({"lint", list, "--fix"});
+      CHECK(fixed == text_of(list));
+    }
+    folder.write(std::string(sample) + ".lis", text);
+    CHECK(actions(list, text, {"refactor"}).empty());
   }
-  CHECK(found);
 }
 
-TEST_CASE("a closed document shows nothing") {
-  Conversation conversation;
-  (void)conversation.open("/x.lis", "kopx.achs_nr 1\n")
-      .notify("textDocument/didClose", {{"textDocument", {{"uri", "file:///x.lis"}}}})
-      .results();
-  CHECK(shown_in(conversation.notifications(), "/x.lis").empty());
+TEST_CASE("formatting in the editor equals fmt") {
+  TemporaryFolder const folder;
+  std::string const text = "# \xC3\xBC\r\nfilter[0].order 2 ( a\r\nkopf.achs_nr      1     ( b\r\n";
+  folder.write("x.lis", text);
+  auto const list = folder.path() + "/x.lis";
+  auto const edits = Conversation("utf-8").open(list).ask("textDocument/formatting", list).results()[0];
+  (void)run_axisc({"fmt", list});
+  CHECK(edited(text, edits) == text_of(list));
+  CHECK(text_of(list) != text);
+}
+
+TEST_CASE("hovering over a name shows the page that explain prints") {
+  auto const page = run_axisc({"explain", "filter[0].order", "--lang", "en"}).out;
+  auto const shown = hover("/x.lis", "# \xC3\xBC\nfilter[0].order  2\n", 1, 3);
+  CHECK(shown["contents"]["kind"] == "markdown");
+  contains(shown["contents"]["value"], page);
+  CHECK(shown["range"]["start"] == Json({{"line", 1}, {"character", 0}}));
+  CHECK(shown["range"]["end"] == Json({{"line", 1}, {"character", 15}}));
+  CHECK(hover("/x.lis", "# comment\n", 0, 4).is_null());
+  CHECK(hover("/x.lis", "kopx.unknown 1\n", 0, 4).is_null());
+  CHECK(hover("/x.lis", "", 0, 0).is_null());
+}
+
+TEST_CASE("hovering over the number of a parameter shows its page anywhere") {
+  auto const page = run_axisc({"explain", "P-AXIS-00140", "--lang", "en"}).out;
+  contains(hover_text("/x.lis", "kopf.achs_nr 1 ( see P-AXIS-00140 : order\n", 0, 25), page);
+  contains(hover_text("/x.lis", "# P-AXIS-00140\n", 0, 2), page);
+  contains(hover_text("/x.nc", "N10 ( P-AXIS-00140\n", 0, 10), page);
+  auto const channel = run_axisc({"explain", "P-CHAN-00035", "--lang", "en"}).out;
+  contains(hover_text("/x.lis", "# P-CHAN-00035\n", 0, 14), channel);
+  CHECK(hover("/x.lis", "# P-XXXX-00035 P-AXIS-99999999\n", 0, 5).is_null());
+  CHECK(hover("/x.lis", "# P-XXXX-00035 P-AXIS-99999999\n", 0, 20).is_null());
+}
+
+TEST_CASE("hovering over each parameter says what it means in both languages") {
+  for (auto const language : {axisc::Language::english, axisc::Language::german}) {
+    std::string const word = language == axisc::Language::german ? "de" : "en";
+    auto const all = Json::parse(run_axisc({"explain", "--all", "--format", "json", "--lang", word}).out);
+    REQUIRE(all["parameters"].size() == 791);
+    std::string text;
+    for (auto const& parameter : all["parameters"]) {
+      auto name = parameter["name"].get<std::string>();
+      for (auto at = name.find("[]"); at != std::string::npos; at = name.find("[]")) name.insert(at + 1, "0");
+      text += name + " 1\n";
+    }
+    Conversation conversation;
+    conversation.open("/x.lis", text);
+    for (int line = 0; line < 791; ++line) conversation.ask_at("textDocument/hover", "/x.lis", line, 1);
+    auto const shown = conversation.results(language);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      INFO(all["parameters"][i]["name"]);
+      auto const meaning = all["parameters"][i]["meaning"].get<std::string>();
+      REQUIRE(!meaning.empty());
+      REQUIRE(shown[i].is_object());
+      CHECK(shown[i]["contents"]["value"].get<std::string>().find(meaning) != std::string::npos);
+    }
+  }
 }

@@ -1,9 +1,8 @@
 // The hierarchy of values: from a parameter to all places that set it.
-#include "cli/editor/conversation.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/conversation.hpp"
+#include "support/temporary_folder.hpp"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -107,32 +106,4 @@ TEST_CASE("an item of a document that was closed is refused") {
                            .results();
   CHECK(results[0]["error"]["code"] == -32602);
   CHECK(results[1]["error"]["code"] == -32602);
-}
-
-TEST_CASE("an axis that a channel or a machine file names leads to its list") {
-  auto const path = machine_folder() / "machine.json";
-  auto const text = machine_folder().read("machine.json");
-  auto const line = text.substr(text.rfind('\n') + 1);
-  auto const at = static_cast<int>(line.find("\"Y\"")) + 1;
-  auto const found =
-      Conversation().open(path, text).ask_at("textDocument/definition", path, 2, at).results()[0];
-  CHECK(found["uri"] == "file://" + (machine_folder() / "y.lis"));
-
-  auto const channel = source_path("samples/controller/listen/sda_mds1.lis");
-  auto const lines = text_of(channel);
-  auto const name = lines.find("gruppe[0].achse[1].log_achs_nr");
-  REQUIRE(name != std::string::npos);
-  auto const end = lines.find('\n', name);
-  auto const number = lines.find_last_of("0123456789", lines.find_first_of("(#\n", name));
-  REQUIRE(number < end);
-  auto const row =
-      static_cast<int>(std::count(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(name), '\n'));
-  auto const begin = name == 0 ? 0 : lines.rfind('\n', name) + 1;
-  auto const axis = Conversation()
-                        .open(channel)
-                        .ask_at("textDocument/definition", channel, row, static_cast<int>(number - begin))
-                        .results()[0];
-  REQUIRE(axis.is_object());
-  auto const list = text_of(axis["uri"].get<std::string>().substr(std::string("file://").size()));
-  CHECK(list.find("kopf.achs_nr") != std::string::npos);
 }

@@ -1,17 +1,18 @@
-// What many open documents cost, counted in machines that are read, and whom an opened or closed document
-// concerns.
-#include "editor/reading/edited_text.hpp"
+// The cost of many open documents, counted in machines that are read, and the documents that a change
+// affects.
+#include "editor/reading/open_machines.hpp"
+
+#include "editor/capabilities/folding.hpp"
+#include "editor/capabilities/hover.hpp"
 #include "editor/server.hpp"
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
-#include <random>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -101,25 +102,44 @@ TEST_CASE("a list that a machine misses concerns the machine") {
   CHECK(misses());
 }
 
-TEST_CASE("a text with many edits counts lines as one that is read anew") {
-  std::mt19937 random(20240229);
-  auto const below = [&random](std::size_t limit) {
-    return std::uniform_int_distribution<std::size_t>(0, limit - 1)(random);
+TEST_CASE("open machines tell which documents a change affects") {
+  std::string const machine =
+      R"({"cycle_time_us": 1000, "default_list": "all.lis", "axes": [{"name": "X", "list": "x.lis"}]})";
+  tests::MapFiles disk({{"/m/machine.json", machine}, {"/m/all.lis", "kopf.achs_nr 0\n"}});
+  editor::OpenMachines machines(
+      disk, [](std::string const&) { return validator::CheckOptions{}; }, Language::english);
+  using Uris = editor::OpenMachines::Uris;
+  auto const open = [&](std::string const& name, std::string const& text) {
+    return machines.open({.uri = "file://" + name, .path = name, .text = text});
   };
-  std::array<std::string, 7> const pieces = {"", "\n", "\r", "\r\n", "a", "x\ny\r", "\n\n\r\n"};
-  constexpr auto encoding = editor::PositionEncoding::utf8;
-  std::string text = "one\r\ntwo\n";
-  editor::EditedText edited(text, encoding);
-  for (int i = 0; i < 20'000; ++i) {
-    auto const begin = below(text.size() + 1);
-    auto const end = std::min(text.size(), begin + below(text.size() > 60 ? text.size() + 1 : 4));
-    auto const& piece = pieces[below(pieces.size())];
-    text.replace(begin, end - begin, piece);
-    edited.replace(begin, end, piece);
-    for (std::size_t line = 0; line < 12; ++line) {
-      editor::TextPosition const position{.line = line, .character = below(5)};
-      if (edited.offset(position) != editor::offset_of(text, position, encoding)) FAIL(i << " " << text);
-    }
-  }
-  CHECK(std::move(edited).take() == text);
+  CHECK(open("/m/all.lis", "kopf.achs_nr 0\n") == Uris{"file:///m/all.lis"});
+  CHECK(machines.machine_of(machines.document("file:///m/all.lis")) == "/m/machine.json");
+  CHECK(open("/other/y.lis", "") == Uris{"file:///other/y.lis"});
+  CHECK(machines.machine_of(machines.document("file:///other/y.lis")) == "/other/y.lis");
+  auto const& other = machines.document("file:///other/y.lis");
+  CHECK(machines.replace(other, "kopf.achs_nr 1\n", 2) == Uris{"file:///other/y.lis"});
+  CHECK(other.text == "kopf.achs_nr 1\n");
+  Uris const all = {"file:///m/all.lis", "file:///other/y.lis", "file:///m/machine.json"};
+  CHECK(open("/m/machine.json", machine) == all);
+  CHECK(machines.replace(machines.document("file:///m/machine.json"), "{}", 2) == all);
+  CHECK(machines.close("file:///other/y.lis").empty());
+  CHECK(machines.forget() == Uris{"file:///m/all.lis", "file:///m/machine.json"});
+  CHECK_THROWS_AS(machines.document("file:///other/y.lis"), std::out_of_range);
+}
+
+TEST_CASE("a capability answers without a server") {
+  tests::MapFiles disk({});
+  editor::OpenMachines machines(
+      disk, [](std::string const&) { return validator::CheckOptions{}; }, Language::german);
+  CHECK(
+      machines.open({.uri = "file:///x.lis", .path = "/x.lis", .text = "# a\nfilter[0].order 2\n"}).size() ==
+      1);
+  Json const document = {{"uri", "file:///x.lis"}};
+  CHECK(editor::fold(machines, {{"textDocument", document}}) ==
+        Json::array({{{"startLine", 0}, {"endLine", 1}, {"kind", "region"}}}));
+  auto const shown =
+      editor::hover(machines, {{"textDocument", document}, {"position", {{"line", 1U}, {"character", 1U}}}});
+  CHECK(shown["contents"]["value"].get<std::string>().find("Ordnung") != std::string::npos);
+  CHECK_THROWS_AS(editor::hover(machines, {{"textDocument", {{"uri", "file:///y.lis"}}}}), std::out_of_range);
+  CHECK_THROWS_AS(editor::hover(machines, Json::object()), Json::exception);
 }

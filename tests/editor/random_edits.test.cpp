@@ -1,4 +1,5 @@
-// Random edits: the server's text stays the client's, and what it shows is what a new check of that text shows.
+// Random edits: the server's text stays the client's, and what it shows is what a new check of that text
+// shows.
 #include "support/catch.hpp"
 #include "support/editor_client.hpp"
 

@@ -1,7 +1,7 @@
-#include "cli/editor/conversation.hpp"
+#include "support/conversation.hpp"
 
-#include "cli/program.hpp"
 #include "diagnostics/source_text.hpp"
+#include "editor/session.hpp"
 #include "support/catch.hpp"
 
 #include <cstdint>
@@ -10,22 +10,6 @@
 #include <utility>
 
 namespace axisc::test {
-
-std::string framed(std::string const& text) {
-  return "Content-Length: " + std::to_string(text.size()) + "\r\n\r\n" + text;
-}
-
-std::vector<Json> unframed(std::string_view out) {
-  std::vector<Json> found;
-  while (!out.empty()) {
-    auto const end = out.find("\r\n\r\n");
-    REQUIRE(end != std::string_view::npos);
-    auto const size = std::stoul(std::string(out.substr(16, end - 16)));
-    found.push_back(Json::parse(out.substr(end + 4, size)));
-    out.remove_prefix(end + 4 + size);
-  }
-  return found;
-}
 
 std::string source_path(std::string const& path) {
   return std::string(AXISC_SOURCE_DIR) + "/" + path;
@@ -38,18 +22,22 @@ std::string text_of(std::string const& path) {
   return source.utf8({source.text_begin(), static_cast<std::uint32_t>(text.size())});
 }
 
-Conversation::Conversation(std::string const& encoding, Json capabilities) {
+Conversation::Conversation(std::string const& encoding, Json capabilities, Json const& settings) {
   if (!encoding.empty()) capabilities["general"]["positionEncodings"] = {encoding};
-  input_ = framed(Json{{"jsonrpc", "2.0"},
-                       {"id", 1},
-                       {"method", "initialize"},
-                       {"params", {{"capabilities", std::move(capabilities)}}}}
-                      .dump());
+  say({{"id", 1},
+       {"method", "initialize"},
+       {"params", {{"capabilities", std::move(capabilities)}, {"initializationOptions", settings}}}});
+}
+
+Conversation& Conversation::say(Json const& message) {
+  auto whole = message;
+  whole["jsonrpc"] = "2.0";
+  messages_.push_back(whole.dump());
+  return *this;
 }
 
 Conversation& Conversation::notify(std::string const& method, Json const& params) {
-  input_ += framed(Json{{"jsonrpc", "2.0"}, {"method", method}, {"params", params}}.dump());
-  return *this;
+  return say({{"method", method}, {"params", params}});
 }
 
 Conversation& Conversation::open(std::string const& path, std::string const& text) {
@@ -65,9 +53,7 @@ Conversation& Conversation::change(std::string const& path, std::string const& t
 
 Conversation& Conversation::ask(std::string const& method, std::string const& path, Json params) {
   params["textDocument"]["uri"] = "file://" + path;
-  input_ += framed(
-      Json{{"jsonrpc", "2.0"}, {"id", ++last_id_}, {"method", method}, {"params", std::move(params)}}.dump());
-  return *this;
+  return say({{"id", ++last_id_}, {"method", method}, {"params", std::move(params)}});
 }
 
 Conversation& Conversation::ask_at(std::string const& method, std::string const& path, int line,
@@ -75,16 +61,20 @@ Conversation& Conversation::ask_at(std::string const& method, std::string const&
   return ask(method, path, {{"position", {{"line", line}, {"character", character}}}});
 }
 
-std::vector<Json> Conversation::results(std::string const& language) {
-  input_ += framed(R"({"jsonrpc": "2.0", "id": "bye", "method": "shutdown", "params": null})") +
-            framed(R"({"jsonrpc": "2.0", "method": "exit", "params": null})");
-  Surroundings surroundings;
-  surroundings.input = input_;
-  auto const outcome = run_axisc({"lsp", "--lang", language}, surroundings);
-  CHECK(outcome.status == 0);
-  CHECK(outcome.err.empty());
+std::vector<Json> Conversation::all(Language language, CheckingOptions const& options) {
+  messages_.push_back(shutdown_request);
+  messages_.push_back(exit_notification);
+  editor::Session session(check_options(options), language);
+  std::vector<Json> answers;
+  for (auto const& answer : session.take(messages_)) answers.push_back(Json::parse(answer));
+  CHECK(session.has_ended());
+  CHECK(session.ended_properly());
+  return answers;
+}
+
+std::vector<Json> Conversation::results(Language language, CheckingOptions const& options) {
   std::vector<Json> results;
-  for (auto& message : unframed(outcome.out)) {
+  for (auto& message : all(language, options)) {
     if (!message.contains("id")) {
       notifications_.push_back(std::move(message));
     } else if (message["id"].is_number() && message["id"] != 1) {
