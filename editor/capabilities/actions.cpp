@@ -109,7 +109,7 @@ Json code_actions(OpenMachines& machines, Json const& params) {
   auto actions = Json::array();
   if (wants(params, "quickfix")) add_fixes(machines, asked, begin, end, actions);
   if (wants(params, "refactor.rewrite")) {
-    add_rewrites(actions, machines, asked, offset_of(asked.text, begin, machines.encoding()));
+    add_rewrites(actions, machines, asked, TextLines(asked.text, machines.encoding()).offset(begin));
   }
   if (wants(params, "source.fixAll.axisc")) {
     auto edits = fix_all(machines, asked);

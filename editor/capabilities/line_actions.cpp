@@ -70,8 +70,8 @@ std::optional<Measured> measured(OpenList const& list, grammar::Assignment const
 }
 
 /// A workspace edit.
-Json insertion(Document const& document, TextPosition at, std::string const& text) {
-  return {{"changes", {{document.uri, Json::array({{{"range", range_json(at, at)}, {"newText", text}}})}}}};
+Json insertion(Document const& document, Json const& range, std::string const& text) {
+  return {{"changes", {{document.uri, Json::array({{{"range", range}, {"newText", text}}})}}}};
 }
 
 struct Rewrite {
@@ -134,7 +134,7 @@ void add_finding_actions(Json& actions, OpenMachines& machines, Document const& 
     bool const is_beside = assignment != nullptr && (comment.empty() || is_comment(assignment->trailer_kind));
     auto const at = is_beside ? lines.position(end_of(*assignment)) : TextPosition{.line = line};
     auto const text = is_beside ? allowance(comment, code) : "( " + std::string(directive) + code + "\n";
-    add(says::allow, "edit", insertion(document, at, text));
+    add(says::allow, "edit", insertion(document, range_json(at, at), text));
   }
   add(says::explain, "command",
       {{"title", machines.say(says::explain, {{"code", code}})},
@@ -151,7 +151,7 @@ void add_rewrites(Json& actions, OpenMachines& machines, Document const& documen
   if (row == nullptr) return;
   for (auto const& rewrite : {word(machines, list, *line, *row), conversion(machines, list, *line, *row)}) {
     if (!rewrite) continue;
-    auto const at = position_of(document.text, rewrite->at, machines.encoding());
+    auto const at = machines.range(document, rewrite->at, rewrite->at);
     actions.push_back({{"title", rewrite->title},
                        {"kind", "refactor.rewrite"},
                        {"edit", insertion(document, at, rewrite->text)}});

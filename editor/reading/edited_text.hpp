@@ -14,7 +14,7 @@ class EditedText {
  public:
   EditedText(std::string text, PositionEncoding encoding);
 
-  /// Same as offset_of(), for the current text.
+  /// As TextLines, for the current text.
   [[nodiscard]] std::size_t offset(TextPosition position) const;
   /// Cost: moving the bytes and line starts after `begin`.
   void replace(std::size_t begin, std::size_t end, std::string_view inserted);

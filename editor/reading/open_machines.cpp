@@ -26,7 +26,7 @@ Document const& OpenMachines::asked(Json const& params) const {
 }
 
 std::size_t OpenMachines::offset(Document const& document, Json const& params) const {
-  return offset_of(document.text, position_in(params.at("position")), client_.encoding);
+  return TextLines(document.text, client_.encoding).offset(position_in(params.at("position")));
 }
 
 Json OpenMachines::range(Document const& document, std::size_t begin, std::size_t end) const {

@@ -38,7 +38,8 @@ Json range_json(TextPosition begin, TextPosition end) {
 }
 
 Json range_between(std::string_view text, std::size_t begin, std::size_t end, PositionEncoding encoding) {
-  return range_json(position_of(text, begin, encoding), position_of(text, end, encoding));
+  TextLines const lines(text, encoding);
+  return range_json(lines.position(begin), lines.position(end));
 }
 
 std::string Places::uri(Place const& place) const {
@@ -54,7 +55,8 @@ Json Places::position(SourceId source, Position at) const {
   TextPosition position{.line = at.line - 1, .character = units(line, at.column - 1, encoding_)};
   if (!returns.empty()) {
     auto const before = std::lower_bound(returns.begin(), returns.end(), at.line) - returns.begin();
-    auto const inside = position_of(line, offset_of_unit(line, position.character, encoding_), encoding_);
+    auto const inside =
+        TextLines(line, encoding_).position(offset_of_unit(line, position.character, encoding_));
     position = {.line = position.line + static_cast<std::size_t>(before) + inside.line,
                 .character = inside.character};
   }

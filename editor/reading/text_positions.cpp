@@ -15,14 +15,6 @@ std::size_t units_of(DecodedCharacter const& character, PositionEncoding encodin
 
 }  // namespace
 
-std::size_t offset_of(std::string_view text, TextPosition position, PositionEncoding encoding) {
-  return TextLines(text, encoding).offset(position);
-}
-
-TextPosition position_of(std::string_view text, std::size_t offset, PositionEncoding encoding) {
-  return TextLines(text, encoding).position(offset);
-}
-
 std::size_t offset_of_unit(std::string_view text, std::size_t unit, PositionEncoding encoding) {
   std::size_t passed = 0;
   std::size_t at = 0;
