@@ -4,6 +4,7 @@
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
 #include "configuration/xml_names.hpp"
+#include "validator/views/units_text.hpp"
 
 #include <algorithm>
 
@@ -72,6 +73,10 @@ grammar::Assignment const* OpenList::line_at(std::size_t offset) const {
       tree_.assignments.begin(), tree_.assignments.end(), line,
       [](grammar::Assignment const& assignment, std::uint32_t wanted) { return assignment.line < wanted; });
   return found == tree_.assignments.end() || found->line != line ? nullptr : &*found;
+}
+
+std::string_view OpenList::unit_of(schema::Parameter const& row) const {
+  return validator::unit_of(row, axis_ == nullptr ? machine::AxisType::translatory : axis_->type);
 }
 
 design::CycleTime OpenList::cycle_time() const {

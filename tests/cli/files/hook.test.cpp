@@ -1,6 +1,6 @@
 // Hooks name all files of a commit: those that the program itself would find are checked, and no name is a response file.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <fstream>
 #include <regex>

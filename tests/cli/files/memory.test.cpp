@@ -1,7 +1,7 @@
 // Memory does not grow with the number of inputs, except for SARIF by their findings.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 
