@@ -7,10 +7,10 @@
 namespace axisc::motion {
 namespace {
 
-/// The sine of an angle halfway between two places is within 0.12 % of the larger one beside its peak.
+/// The sine of an angle halfway between two places is within 0.12 % of the larger one next to its peak.
 constexpr double places_per_turn = 64;
 
-/// Places at which a steady stretch of so many cycles is looked at, its two ends not counted.
+/// Places at which a steady stretch of this many cycles is searched, its two ends not counted.
 double places_within(TimedPiece const& piece, double cycles) {
   auto const* const arc = piece.path.arc();
   if (arc == nullptr) return 0;
@@ -37,7 +37,7 @@ std::vector<TrialSpan> searched_spans(std::span<TimedPiece const> path, TrialSpa
     double const to = std::min(span.to, piece->start + piece->profile.steady_to() - after);
     double const places = places_within(*piece, to - from);
     double const apart = (to - from) / (places + 1);
-    // A place costs as much as what is needed to get there.
+    // A place costs as much as the cycles that lead to it.
     if (!(apart > 2 * (before + after))) continue;
     add(begun, from);
     for (double place = 1; place <= places; ++place) add(from + place * apart, from + place * apart + 1);

@@ -74,7 +74,7 @@ FunctionMeaning take_function(int number, ModalWords& modal) {
     case 162:
     case 260:
     case 359:
-      return FunctionMeaning::nothing;  // what they switch off is not supported
+      return FunctionMeaning::nothing;  // the functions that they switch off are not supported
     case 41:
     case 42:
       return FunctionMeaning::needs_tools;
