@@ -167,7 +167,8 @@ std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes) {
     return mistake(span_of(nul, 1), says::xml_nul);
   }
   pugi::xml_document document;
-  // Nothing is converted, so that offsets are those of the file; what is outside the first element is kept to be seen.
+  // Nothing is converted, so that offsets are those of the file; what is outside the first element is kept to
+  // be seen.
   pugi::xml_parse_result const result = document.load_buffer(
       bytes.data(), bytes.size(), pugi::parse_cdata | pugi::parse_doctype | pugi::parse_fragment,
       pugi::encoding_utf8);

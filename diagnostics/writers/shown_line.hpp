@@ -7,7 +7,7 @@
 
 namespace axisc {
 
-/// Code points [begin, end) of a line, counted from 0; the part that is pointed at.
+/// Code points [begin, end) of a line, counted from 0; the marked part.
 struct MarkedPart {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -16,7 +16,8 @@ struct MarkedPart {
 /// Tabs are kept, in the line and in the indent, so that any terminal aligns both alike.
 class ShownLine {
  public:
-  /// `line` is UTF-8 and must outlive this object. At most `room` characters are shown, "…" where the line is cut included.
+  /// `line` is UTF-8 and must outlive this object. At most `room` characters are shown, "…" where the line is
+  /// cut included.
   ShownLine(std::string_view line, MarkedPart marked, std::size_t room);
 
   /// Printable.
@@ -35,8 +36,8 @@ class ShownLine {
   bool is_plain_;                 ///< every byte is a character that stays as it is
   std::size_t length_;            ///< in characters, as all that follow
   std::size_t mark_;              ///< begin of the marked part
-  std::size_t mark_end_;          ///< its end, or behind the line
-  std::size_t window_begin_ = 0;  ///< what is shown
+  std::size_t mark_end_;          ///< its end, or the end of the line
+  std::size_t window_begin_ = 0;  ///< the part shown
   std::size_t window_end_ = 0;
 };
 

@@ -22,7 +22,7 @@ constexpr Sentence more_places{"… and {count} more, which --format jsonl shows
 namespace axisc {
 namespace {
 
-/// A finding that was printed, and where else it is: the same words about the same text.
+/// A printed finding, and the other places with the same words about the same text.
 struct Seen {
   Finding headline;  ///< without its places
   std::vector<std::string> places;
@@ -51,7 +51,7 @@ class TextReport final : public ReportWriter {
   }
 
  private:
-  /// So many are told apart; what a run finds beyond them is printed, repeated or not.
+  /// At most this many are told apart; further findings of a run are printed, repeated or not.
   static constexpr std::size_t most_seen = 1000;
   static constexpr std::size_t most_places = 20;
 
@@ -97,7 +97,7 @@ class TextReport final : public ReportWriter {
   }
 
   WriteOptions options_;
-  std::unordered_map<std::string, std::size_t> indices_;  ///< into `seen_`, by everything that is said
+  std::unordered_map<std::string, std::size_t> indices_;  ///< into `seen_`, by the whole wording
   std::deque<Seen> seen_;
   std::size_t failures_ = 0;
 };

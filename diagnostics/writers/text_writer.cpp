@@ -106,7 +106,7 @@ class TextWriter {
     return largest;
   }
 
-  /// What is left of the width for a line of a source.
+  /// The width left for a line of a source.
   [[nodiscard]] std::size_t room_beside_gutter() const {
     constexpr std::size_t narrowest = 24;
     constexpr std::size_t sign_and_blanks = 3;
