@@ -19,10 +19,11 @@ constexpr std::size_t gap = 2;
 constexpr std::size_t tab_width = 8;
 /// Longer values do not move the comments of neighbouring lines.
 constexpr std::size_t widest_value = 32;
-/// Longer lines are left unchanged: otherwise neighbouring lines would grow with them, finally beyond readability.
+/// Longer lines are left unchanged: otherwise neighbouring lines would grow with them, finally beyond
+/// readability.
 constexpr std::size_t longest_aligned_line = 1024;
 
-/// A list keeps its own columns if it has so many lines, of which so many have their values in one column.
+/// A list keeps its own columns if it has this many lines, of which this share has its values in one column.
 constexpr std::size_t smallest_layout = 12;
 constexpr std::size_t layout_percent = 75;
 constexpr std::size_t widest_column = 200;

@@ -65,7 +65,7 @@ std::optional<SentenceRef> sentence_of(validator::Obstacle obstacle) {
 void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
   bool const is_machine = ascii::has_extension(input, ".json");
   if (result.is_other_list) throw Failure({.sentence = says::other_list, .arguments = {{"file", input}}});
-  // What is wrong with the machine is reported first: the cycle time may be part of it.
+  // Findings about the machine come first: the cycle time may be part of it.
   bool const lacks_more =
       result.obstacle == validator::Obstacle::incomplete || (is_machine && !result.machine);
   if (result.cycle_time_known || lacks_more) return;

@@ -59,7 +59,7 @@ class Git {
  public:
   Git(std::string root, std::string revision) : root_(std::move(root)), revision_(std::move(revision)) {}
 
-  /// What git prints. Locks are left to those who change something.
+  /// The output of git. Optional locks are left to commands that change something.
   [[nodiscard]] std::string operator()(std::vector<std::string> const& words) const {
     std::vector<std::string> arguments{"git", "--no-optional-locks", "-C", root_};
     arguments.insert(arguments.end(), words.begin(), words.end());

@@ -84,8 +84,8 @@ FileError error_of(system::Error const& error) {
   }
 }
 
-/// Reads to the end of the file, whatever its reported size. One byte more than the size is requested, so that a file
-/// of just that size needs no second call.
+/// Reads to the end of the file, whatever its reported size. One byte more than the size is requested, so
+/// that a file of just that size needs no second call.
 Bytes read_all(system::File const& file, std::optional<std::size_t> size) {
   std::string bytes;
   std::size_t filled = 0;

@@ -27,7 +27,7 @@ namespace axisc {
 
 namespace {
 
-/// What the names of one file have in common; none for what is not a file.
+/// A key that all names of one file share; none for anything but a file.
 class FileIdentities {
  public:
   [[nodiscard]] std::optional<std::string> of(std::string const& path) {

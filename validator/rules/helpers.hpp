@@ -1,4 +1,4 @@
-// What the checks of AX1 and AX2 share.
+// Helpers for the checks of AX1 and AX2.
 #pragma once
 
 #include "validator/engine/rule.hpp"
@@ -37,7 +37,7 @@ struct Line {
   [[nodiscard]] grammar::Assignment const& assignment() const {
     return context.list.tree.assignments[number];
   }
-  /// The full reading of a doubtful line; context.list.line_values has those of all lines.
+  /// The complete line value of a doubtful line; context.list.line_values has those of all lines.
   [[nodiscard]] LineValue const& line_value() const { return context.list.line_values.closer(number); }
   [[nodiscard]] Place place(Span span) const { return place_of(context, span); }
   /// The name as written in the list.
@@ -49,7 +49,8 @@ struct Line {
 void name_parameter(Finding& finding, Line const& line);
 void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot slot);
 
-/// A finding at `span` of a line, about its parameter if that is known; `describe(finding, line)` makes its text.
+/// A finding at `span` of a line, about its parameter if that is known; `describe(finding, line)` makes its
+/// text.
 template <auto describe>
 Reported& report_line(Report& report, Line const& line, Span span) {
   return report.later(line.place(span), [line](Finding& finding) {
@@ -88,7 +89,7 @@ struct AxisLine {
     return in_default_list ? *context.default_list : context.axis_list;
   }
   [[nodiscard]] grammar::Assignment const& assignment() const { return list().tree.assignments[number]; }
-  /// The full reading of a doubtful line.
+  /// The complete line value of a doubtful line.
   [[nodiscard]] LineValue const& line_value() const { return list().line_values.closer(number); }
   [[nodiscard]] Place place() const { return {.source = list().source, .span = assignment().value}; }
 };
@@ -106,7 +107,7 @@ void for_each_doubtful(AxisContext const& context, Visit visit) {
   }
 }
 
-/// "LOWPASS (1), HIGHPASS (2)": its words, or, where it has none, what its numbers mean.
+/// "LOWPASS (1), HIGHPASS (2)": its words, or, where it has none, the meanings of its numbers.
 [[nodiscard]] Wording allowed_values(schema::Parameter const& parameter);
 
 /// "1 ≤ guete ≤ 10", with one limit "fcut ≥ 1 Hz": the name is the last part of the parameter's.

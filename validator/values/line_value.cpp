@@ -21,7 +21,8 @@ bool was_meant_for_comment(std::string_view text) {
   return text.starts_with(grammar::lexical::hash) || text.starts_with(grammar::lexical::slash_star);
 }
 
-/// The place of the first `#` or `/*`; the end where there is none. Texts are too short for a faster search to pay off.
+/// The place of the first `#` or `/*`; the end where there is none. Texts are too short for a faster search
+/// to pay off.
 std::size_t comment_opener(std::string_view text) {
   std::size_t place = 0;
   while (place < text.size() && !was_meant_for_comment(text.substr(place))) ++place;
@@ -89,7 +90,7 @@ class Judge {
     }
   }
 
-  /// True for a malformed number, which is then noted in the reading.
+  /// True for a malformed number, which is then noted in the line value.
   bool broken_number() {
     if (assignment_.kind == ValueKind::decimal_comma) {
       fail(ReadingStatus::decimal_comma);
@@ -115,7 +116,7 @@ class Judge {
     }
   }
 
-  /// Where a table of numbers stands for the range, a number that it does not list means nothing.
+  /// Where a table of numbers replaces the range, a number that it does not list means nothing.
   [[nodiscard]] bool is_unlisted(schema::Parameter const& parameter) {
     double const value = integer();
     return schema::is_listed_only(parameter) &&
@@ -175,13 +176,13 @@ class Judge {
     text_behind_symbol(end);
   }
 
-  /// In other kinds of lists words are joined where no document says so.
+  /// In other kinds of lists words are joined where no document mentions it.
   [[nodiscard]] bool joins_words(schema::Parameter const& parameter) const {
     return parameter.kind != schema::ListKind::axis &&
            source_.slice(free_text()).find('|') != std::string_view::npos;
   }
 
-  /// What the numbers of a list's words are is documented for few of the other kinds of lists.
+  /// The numbers of a list's words are documented for few of the other kinds of lists.
   [[nodiscard]] static bool has_unknown_numbers(schema::Parameter const& parameter) {
     return parameter.kind != schema::ListKind::axis &&
            std::none_of(parameter.symbols.begin(), parameter.symbols.end(),

@@ -1,4 +1,4 @@
-// What one assignment of a list means, judged with the catalogue: before any other line is looked at.
+// The meaning of one assignment of a list, judged with the catalogue: before any other line is looked at.
 #pragma once
 
 #include "diagnostics/source_text.hpp"
@@ -18,7 +18,7 @@ enum class ReadingStatus : std::uint8_t {
   reference,          ///< the value of another parameter, to be looked up in the effective values
   not_judged,         ///< the name is unknown, so nothing is known about the value
   decimal_comma,      ///< AX1005
-  malformed_number,   ///< AX1006, `number` says why
+  malformed_number,   ///< AX1006, with its reason in `number`
   comment_in_string,  ///< AX1009, see `trouble`
   wrong_type,         ///< AX2003
   out_of_data_range,  ///< AX2004
@@ -57,8 +57,8 @@ struct LineValue {
   [[nodiscard]] bool row_known() const { return row != nullptr; }
 };
 
-/// Fills what `reading` says of the value; its name is looked up already, `text` is the value as it stands. Texts that are not
-/// UTF-8 as they stand are kept in `transcoded`.
+/// Fills in the value of `line_value`; its name is looked up already, `text` is the value as written. Texts
+/// that are not written in UTF-8 are kept in `transcoded`.
 void judge(SourceText const& source, grammar::Assignment const& assignment, LineValue& line_value,
            std::forward_list<std::string>& transcoded);
 

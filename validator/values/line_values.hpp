@@ -1,4 +1,4 @@
-// What the assignments of one list mean, line by line.
+// The meaning of the assignments of one list, line by line.
 #pragma once
 
 #include "validator/values/line_value.hpp"
@@ -16,22 +16,22 @@
 
 namespace axisc::validator {
 
-/// What nearly all lines say: they give a known parameter a value and are beyond doubt.
+/// The content of nearly all lines: they give a known parameter a value and are beyond doubt.
 struct BriefReading {
-  /// For `text`, which else is the number of a symbol of the row, counted from 1: none, the value as the list writes it.
+  /// For `text`, which is otherwise the number of a symbol of the row, counted from 1: none, the value as the
+  /// list writes it.
   static constexpr std::uint8_t no_text = 0;
   static constexpr std::uint8_t own_text = 255;
 
   double number = 0;
-  std::uint32_t other =
-      0;  ///< 0, or where more has to be said: its number among the other readings, from 1, which say all
-  std::uint16_t slot = 0;  ///< of axis parameters, which 16 bits count
+  std::uint32_t other = 0;  ///< 0, or for other lines their number among the complete line values, from 1
+  std::uint16_t slot = 0;   ///< of axis parameters, which 16 bits count
   std::uint8_t text = no_text;
 };
 static_assert(sizeof(BriefReading) == 16);
 
-/// The readings of one list, one for each assignment and in the same order. They look into the source, the assignments and the
-/// catalogue, which live longer.
+/// The line values of one list, one for each assignment and in the same order. They look into the source, the
+/// assignments and the catalogue, which must outlive them.
 class LineValues {
  public:
   LineValues() = default;
@@ -43,7 +43,7 @@ class LineValues {
 
   [[nodiscard]] std::size_t size() const { return brief_.size(); }
   [[nodiscard]] LineValue operator[](std::size_t assignment) const;
-  /// The same of an assignment that was looked at more closely, as all doubtful ones were.
+  /// The complete line value of an assignment that was looked at more closely, as all doubtful ones were.
   [[nodiscard]] LineValue const& closer(std::size_t assignment) const {
     assert(brief_[assignment].other != 0);
     return others_[brief_[assignment].other - 1];
@@ -51,7 +51,8 @@ class LineValues {
   /// The parameter of an assignment, where it is known.
   [[nodiscard]] std::optional<schema::Slot> slot(std::size_t assignment) const;
 
-  /// The last assignment of a parameter, counted from 1; 0 where there is none. Only a list that was read has them.
+  /// The last assignment of a parameter, counted from 1; 0 where there is none. Only a list that was read has
+  /// them.
   [[nodiscard]] std::uint32_t last_of(schema::Slot slot) const {
     if (catalogue_.kind() != schema::ListKind::axis) {
       auto const found = last_of_many_.find(slot);
@@ -61,21 +62,21 @@ class LineValues {
     return last_of_slot_[static_cast<std::size_t>(slot)];
   }
 
-  /// The readings that a check of single lines may object to: everything but a value (or a reference) of a known name,
-  /// spelled right, within the parameter's own numbers, with nothing but a comment behind it. Nearly all lines of nearly
-  /// all lists are beyond doubt, and no check looks at them again.
+  /// The line values that a check of single lines may object to: everything but a value (or a reference) of a
+  /// known name, spelled right, within the parameter's own numbers, with nothing but a comment after it.
+  /// Nearly all lines of nearly all lists are beyond doubt, and no check looks at them again.
   [[nodiscard]] std::span<std::uint32_t const> doubtful() const { return doubtful_; }
 
-  /// Assignments of known parameters whose value does not stand in their line: references, and what cannot be used.
+  /// Assignments of known parameters whose value is not in their line: references, and unusable values.
   [[nodiscard]] std::span<std::uint32_t const> without_value() const { return without_value_; }
 
   /// Several lines name the same parameter.
   [[nodiscard]] bool has_repetitions() const { return has_repetitions_; }
 
-  /// "P-" stands in the list, so that a line may name the number of a parameter.
+  /// "P-" is in the list, so that a line may name the number of a parameter.
   [[nodiscard]] bool may_name_numbers() const { return may_name_numbers_; }
 
-  /// What may be meant by the unknown name of an assignment.
+  /// Possible meanings of the unknown name of an assignment.
   [[nodiscard]] schema::NameSuggestions const& suggestions(std::size_t assignment) const;
 
  private:
@@ -98,7 +99,7 @@ class LineValues {
   std::vector<std::uint32_t> without_value_;
   std::vector<Suggested> suggested_;  ///< in the order of the assignments
   std::forward_list<std::string>
-      transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
+      transcoded_;  ///< texts with characters that the source does not write in UTF-8
   bool has_repetitions_ = false;
   bool may_name_numbers_ = false;
 };

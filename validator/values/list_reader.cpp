@@ -93,7 +93,7 @@ class ListReader {
     splitter.go_on_at(bytes_.data() + begin, number);
   }
 
-  /// Gives the number of lines that were read: all, or up to the end of the list.
+  /// Returns the number of lines that were read: all, or up to the end of the list.
   std::size_t read_lines(grammar::PlainLines const& lines) {
     std::size_t next = 0;
     while (next < lines.count) {
@@ -135,8 +135,8 @@ class ListReader {
     return true;
   }
 
-  /// A line that is not plain. If its name is known and its value looks simple, the result of the grammar is known
-  /// without parsing.
+  /// A line that is not plain. If its name is known and its value looks simple, the result of the grammar is
+  /// known without parsing.
   void read_closer(grammar::PlainLines const& lines, std::size_t i) {
     grammar::Assignment& assignment = batch_[i];
     auto const kind = grammar::lexical::simple_kind(source_.slice(assignment.value));

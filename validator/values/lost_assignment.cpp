@@ -20,8 +20,8 @@ bool is_name_character(char c) {
   return c == '.' || grammar::is(grammar::character::letter | grammar::character::digit, c);
 }
 
-/// Sets `name` to the name on the line, with every index completed: `filter[0.order` and `filter[ 0 ].order` are
-/// filter[0].order; an index without number is 0.
+/// Sets `name` to the name on the line, with every index completed: `filter[0.order` and `filter[ 0 ].order`
+/// are filter[0].order; an index without number is 0.
 void read_with_whole_indices(std::string_view line, std::string& name) {
   name.clear();
   while (true) {

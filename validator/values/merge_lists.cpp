@@ -13,8 +13,8 @@
 namespace axisc::validator {
 namespace {
 
-/// For most parameters the last line of the last list applies. If a line cannot be used, or has no value of its own,
-/// the lines before it matter: then all lines of its parameter are processed in order.
+/// For most parameters the last line of the last list applies. If a line cannot be used, or has no value of
+/// its own, the lines before it matter: then all lines of its parameter are processed in order.
 class Merger {
  public:
   Merger(LoadedList const* default_list, LoadedList const& axis_list)

@@ -1,6 +1,6 @@
-// Values that are beyond doubt, read without the grammar: the token of a line that was cut at its blanks is compared
-// with what its parameter plainly takes (schema/plain_values.hpp). What is read here, the grammar and the closer look
-// (validator/values/line_value.hpp) read the same.
+// Values that are beyond doubt, read without the grammar: the token of a line that was cut at its blanks is
+// compared with the plain values of its parameter (schema/plain_values.hpp). The grammar and the closer look
+// (validator/values/line_value.hpp) read these values the same.
 #pragma once
 
 #include "diagnostics/ascii.hpp"

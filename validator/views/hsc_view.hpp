@@ -21,16 +21,16 @@ using design::HscType;
 /// The configured HSC filters among the result of touched_filters().
 [[nodiscard]] std::vector<FilterView> configured_hsc(std::span<FilterView const> filters);
 
-/// The HSC type of a filter; none if it cannot be used or is not an HSC type, and for everything that is not a
-/// configured HSC filter.
+/// The HSC type of a filter; none if it cannot be used or is not an HSC type, and for everything that is not
+/// a configured HSC filter.
 [[nodiscard]] std::optional<HscType> hsc_type(FilterView const& filter);
 
-/// The order of an HSC filter; for the mean, if order is 0, the order that time_constant gives (by default 10000 µs); 0
-/// if there is none: time_constant < T, and NoVib without an order.
+/// The order of an HSC filter; for the mean, if order is 0, the order that time_constant gives (by default
+/// 10000 µs); 0 if there is none: time_constant < T, and NoVib without an order.
 [[nodiscard]] double resulting_hsc_order(FilterView const& filter, design::CycleTime cycle_time);
 
-/// The kernel of an HSC filter; NoVib has the default order, because it computes its own. None if a value is out of
-/// range, or if NoVib has no order and is therefore never active.
+/// The kernel of an HSC filter; NoVib has the default order, because it computes its own. None if a value is
+/// out of range, or if NoVib has no order and is therefore never active.
 [[nodiscard]] std::optional<design::KernelSpecification> hsc_kernel(FilterView const& filter,
                                                                     design::CycleTime cycle_time);
 

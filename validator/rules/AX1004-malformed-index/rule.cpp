@@ -36,7 +36,7 @@ void describe(Finding& finding, ListContext const& context, grammar::Problem con
   std::string const index = context.source.utf8(problem.span);
   finding.message = message_of(says::headline, Argument{"index", index});
   finding.help.push_back(message(says::help));
-  // What follows belongs to the index in `[0,1]`.
+  // The following text belongs to the index in `[0,1]`.
   std::string_view const after = context.source.slice(context.source.line_span(problem.line))
                                      .substr(problem.span.end - context.source.line_span(problem.line).begin);
   bool const is_whole = after.empty() || after.front() == '.' || ascii::is_blank(after.front());
@@ -71,7 +71,8 @@ void describe_separate(Finding& finding, Line const& line) {
                            message_of(says::fix, Argument{"replacement", finding.parameter}));
 }
 
-/// `linkage[0][1]`: some names of other kinds of lists have two indices at one part. What they say is not judged.
+/// `linkage[0][1]`: some names of other kinds of lists have two indices at one part. Their lines are not
+/// judged.
 bool is_of_other_kind(ListContext const& context, grammar::Problem const& problem) {
   std::string_view const index = context.source.slice(problem.span);
   return context.list.kind != configuration::ListKind::axis && index.find("][") != std::string_view::npos &&

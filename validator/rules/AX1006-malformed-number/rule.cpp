@@ -30,7 +30,7 @@ std::string without_leading_zeros(std::string const& value) {
   return value.substr(0, sign) + (needs_zero ? "0" : "") + value.substr(first);
 }
 
-/// What the control does with one kind of malformed number.
+/// The control's reaction to one kind of malformed number.
 struct Trouble {
   SentenceRef headline;
   SentenceRef reaction;

@@ -29,7 +29,7 @@ bool is_reference(std::string_view word) {
          has_index == !index.empty() && std::all_of(index.begin(), index.end(), ascii::is_digit);
 }
 
-/// Also what is none for the control: `000`, `1,5`, `,5`.
+/// Also numbers that the control does not accept: `000`, `1,5`, `,5`.
 bool looks_like_number(std::string_view word) {
   constexpr std::string_view signs = "+-";
   if (!word.empty() && signs.find(word.front()) != std::string_view::npos) word.remove_prefix(1);
@@ -43,7 +43,8 @@ bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word)
           catalogue.is_symbol_of_any_parameter(word));
 }
 
-/// After numbers, booleans and references the control ignores everything; text after symbols is left to AX1009.
+/// After numbers, booleans and references the control ignores everything; text after symbols is left to
+/// AX1009.
 bool ends_at_blank(grammar::Assignment const& assignment, LineValue const& line_value) {
   using grammar::ValueKind;
   if (line_value.status == ReadingStatus::reference) return true;
@@ -67,7 +68,7 @@ Span first_word(Line const& line) {
   return {.begin = trailer.begin, .end = trailer.begin + static_cast<std::uint32_t>(size)};
 }
 
-/// The number without the blanks in it, `20 000` as 20000; empty where that is none.
+/// The number without the blanks in it, `20 000` as 20000; empty where the result is not a number.
 std::string joined(Line const& line) {
   std::string number = line.text(line.assignment().value);
   std::string_view rest = line.context.source.slice(line.assignment().trailer);

@@ -35,7 +35,8 @@ std::optional<Mention> next_mention(std::string_view text, std::string_view pref
   return std::nullopt;
 }
 
-/// The first number of the list's own kind in the comment of a line; none if its own is among them, or if the comment has none.
+/// The first number of the list's own kind in the comment of a line; none if its own is among them, or if the
+/// comment has none.
 std::optional<Mention> other_parameter(Line const& line) {
   Span const trailer = line.assignment().trailer;
   if (trailer.empty()) return std::nullopt;

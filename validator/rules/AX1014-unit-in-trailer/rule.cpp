@@ -31,7 +31,7 @@ struct WrittenUnit {
   std::optional<double> ratio;  ///< none where no conversion leads to it
 };
 
-/// For a value with another unit than the parameter's behind it.
+/// For a value followed by another unit than the parameter's.
 std::optional<WrittenUnit> other_unit(Line const& line) {
   LineValue const& line_value = line.line_value();
   bool const has_text = line.assignment().trailer_kind == grammar::TrailerKind::text;
@@ -63,7 +63,7 @@ void describe(Finding& finding, Line const& line) {
                                                            schema::is_integer(line.line_value().row->type))
                                         : std::string();
   if (number.empty()) return;
-  // What was meant stays readable, as a comment.
+  // The written value stays readable, as a comment.
   finding.fix = replace_by(line.place({.begin = value.begin, .end = value.begin}), number + " ( ",
                            message(says::parameter_fix, {{"replacement", number}}));
 }

@@ -42,7 +42,7 @@ void describe(Finding& finding, Line const& line) {
                            message_of(says::parameter_fix, Argument{"replacement", best}));
 }
 
-/// An image would lack what the line was meant for.
+/// An image would lack the setting that the line was meant for.
 bool concerns_image(Line const& line) {
   std::string_view const name = line.context.source.slice(line.assignment().name);
   auto const& suggestions = line.context.list.line_values.suggestions(line.number);

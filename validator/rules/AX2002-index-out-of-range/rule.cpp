@@ -27,7 +27,8 @@ bool is_wrong(Line const& line) {
   return line.line_value().row_known() && !line.line_value().known();
 }
 
-/// What comes before the wrong index and the index itself: the same in all lines of one block. Empty where that is not the mistake.
+/// The text before the wrong index and the index itself: the same in all lines of one block. Empty for other
+/// mistakes.
 std::string_view block_of(Line const& line) {
   using Status = schema::NameLookup::Status;
   if (line.line_value().name_status != Status::index_out_of_range) return {};

@@ -39,7 +39,7 @@ SentenceRef headline(schema::Parameter const& parameter) {
 constexpr std::string_view no_boolean = "1019";
 constexpr std::string_view no_number = "1001138";
 
-/// What a word for a switch means, in English or German; empty for other words.
+/// The meaning of a word for a switch, in English or German; empty for other words.
 std::string_view switch_meant(std::string_view word) {
   constexpr std::array<std::string_view, 6> on{"ON", "YES", "EIN", "AN", "JA", "WAHR"};
   constexpr std::array<std::string_view, 5> off{"OFF", "NO", "AUS", "NEIN", "FALSCH"};

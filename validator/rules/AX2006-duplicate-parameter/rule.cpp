@@ -25,8 +25,8 @@ void describe(Finding& finding, Line const& line, grammar::Assignment const& lat
   finding.message =
       message(says::headline, {{"parameter", line.name()}, {"line", std::to_string(later.line)}});
   finding.related.push_back({.place = line.place(later.value), .message = message(says::related)});
-  // The last line applies, so the earlier one is ignored. As a comment, a line with a directive would apply to the next
-  // line.
+  // The last line applies, so the earlier one is ignored. As a comment, a line with a directive would apply
+  // to the next line.
   grammar::Assignment const& assignment = line.assignment();
   SourceText const& source = line.context.source;
   if (source.slice(source.line_span(assignment.line)).find("axisc:") != std::string_view::npos) return;

@@ -22,7 +22,7 @@ void describe(Finding& finding, Line const& line) {
   finding.message = message_of(says::headline, Argument{"value", value}, Argument{"parameter", line.name()});
   finding.notes.push_back(message_of(says::parameter_values, Argument{"values", allowed_values(parameter)}));
   if (parameter.symbols.empty()) {
-    finding.control.reset();  // what it makes of a number that means nothing is not documented
+    finding.control.reset();  // its reaction to an unknown number is not documented
   } else {
     set_reaction(finding, says::reaction);
   }

@@ -32,8 +32,8 @@ std::string_view structure(std::string_view pattern) {
   return pattern.substr(0, pattern.find_first_of("[."));
 }
 
-/// The limiting parameter: at the same index, else at index 0. Entries of another structure have the same index only
-/// where a list sets it: jog speed 3 does not belong to gear 3 of a machine with one gear.
+/// The limiting parameter: at the same index, else at index 0. Entries of another structure have the same
+/// index only where a list sets it: jog speed 3 does not belong to gear 3 of a machine with one gear.
 std::optional<Slot> limiting_slot(EffectiveValues const& values, Slot limited, std::uint16_t number) {
   schema::Parameter const& parameter = values.row(limited);
   std::uint32_t const index = parameter.index_count() == 0 ? 0 : schema::indices_of(parameter, limited)[0];
@@ -128,7 +128,7 @@ void limit_by_parameter(AxisContext const& context, Report& report) {
   }
 }
 
-/// Both stand in one list of another kind: nothing is known about lists that it is used with.
+/// Both are in one list of another kind: nothing is known about lists that it is used with.
 void limit_in_list(ListContext const& context, Report& report) {
   LineValues const& line_values = context.list.line_values;
   schema::Catalogue const& catalogue = context.list.catalogue;

@@ -91,7 +91,8 @@ void check_spindle(AxisContext const& context, BuildVersion const& build, Report
   }
 }
 
-/// `#FILTER OFF` switches off what the program switched on: only HSC filters if the program uses no FIR filters.
+/// `#FILTER OFF` switches off what the program switched on: only HSC filters if the program uses no FIR
+/// filters.
 bool meant_for_fir(ProgramContext const& context, grammar::NcCommand const& command) {
   if (!is_fir_filter(context, command)) return false;
   if (command.command_switch != grammar::CommandSwitch::off) return true;

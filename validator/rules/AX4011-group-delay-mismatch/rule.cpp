@@ -119,7 +119,8 @@ std::size_t companions(Delays const& delays, DelayedAxis const& of) {
                                                 [&](DelayedAxis const& axis) { return in_step(axis, of); }));
 }
 
-/// An axis that the others disagree with, one of those, and the filter of the former that makes the difference.
+/// An axis that the others disagree with, one of those, and the filter of the former that makes the
+/// difference.
 struct OddAxis {
   std::size_t index;
   std::size_t typical;

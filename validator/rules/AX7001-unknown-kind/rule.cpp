@@ -37,7 +37,8 @@ void unknown_kind(MachineContext const& context, Report& report) {
   SourceText const& text = context.sources[source];
   Place const place{.source = source, .span = {.begin = text.text_begin(), .end = text.text_begin()}};
   if (text.bytes().find_first_not_of(" \t\r\n", text.text_begin()) == std::string_view::npos) {
-    // What it was nobody knows: perhaps the start-up list that makes a machine of the others.
+    // Its former content is unknown: perhaps it was the start-up list that combines the others into a
+    // machine.
     Finding& finding = report.add(place, message(says::is_empty));
     finding.severity = Severity::error;
     finding.help.push_back(message(says::help_empty));
