@@ -1,4 +1,4 @@
-// What panels need of the page that they are on.
+// The part of the page that its panels use.
 import type { Commands } from './commands';
 import type { Program } from './program';
 import type { Workspace } from './workspace';

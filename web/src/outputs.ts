@@ -1,4 +1,5 @@
-// The panels beside the findings: files, machine, pictures, report. A panel is computed while it is looked at.
+// The panels next to the findings: files, machine, pictures, report. A panel is computed only while it is
+// visible.
 import { button, byId, element, save } from './elements';
 import type { Finding } from './findings';
 import type { Desk } from './desk';
