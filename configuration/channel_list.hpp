@@ -28,7 +28,7 @@ struct CoupledPair {
   std::optional<ListCount> slave, master;
 };
 
-/// A program that the control runs by itself.
+/// A program that the control runs by itself, or instead of a G or M function.
 struct ChannelProgram {
   std::string parameter;  ///< start_init_prog_file, m6_prog_file, …
   LocatedText file;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -53,10 +54,9 @@ std::string relative_to(fs::path const& folder, std::string const& path) {
 }
 
 void add_found_programs(MachineOutline& outline, DiskFiles& files, std::string const& path,
-                        SourceText const& channel) {
+                        configuration::ChannelList const& channel) {
   auto const folder = system::path_of(path).parent_path();
-  for (auto const& program :
-       configuration::found_programs(files, path, configuration::read_channel_list(channel, SourceId{}))) {
+  for (auto const& program : configuration::found_programs(files, path, channel)) {
     outline.programs.push_back(relative_to(folder, program));
   }
 }
@@ -65,6 +65,15 @@ SourceText list_text(std::string const& path, std::string text) {
   // The check reports what is wrong with it.
   std::vector<configuration::XmlMistake> mistakes;
   return configuration::list_text(path, std::move(text), mistakes);
+}
+
+std::optional<configuration::ChannelList> channel_list(DiskFiles& files, std::string const& start_up,
+                                                       configuration::LocatedText const& named) {
+  auto const found = configuration::find_list(files, start_up, named.text);
+  auto bytes = found ? files.read(found->path) : configuration::FileError::not_found;
+  if (!std::holds_alternative<std::string>(bytes)) return std::nullopt;
+  return configuration::read_channel_list(list_text(found->path, std::get<std::string>(std::move(bytes))),
+                                          SourceId{});
 }
 
 /// The lists and programs that are found.
@@ -77,11 +86,13 @@ MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::
     auto const found = configuration::find_list(files, path, named->text);
     if (found) outline.lists.push_back(relative_to(folder, found->path));
   }
-  for (auto const& channel : start_up.channels) {
-    auto const found = configuration::find_list(files, path, channel.file.text);
-    auto bytes = found ? files.read(found->path) : configuration::FileError::not_found;
-    if (!std::holds_alternative<std::string>(bytes)) continue;
-    add_found_programs(outline, files, path, list_text(found->path, std::get<std::string>(std::move(bytes))));
+  std::optional<configuration::ChannelList> defaults;
+  if (start_up.default_channel) defaults = channel_list(files, path, *start_up.default_channel);
+  for (auto const& entry : start_up.channels) {
+    auto channel = channel_list(files, path, entry.file);
+    if (!channel) continue;
+    if (defaults) configuration::add_default_programs(*channel, *defaults);
+    add_found_programs(outline, files, path, *channel);
   }
   return outline;
 }
@@ -130,7 +141,7 @@ MachineOutline project_outline(DiskFiles& files, std::string const& path, std::s
   for (auto const& list : project.lists) {
     if (list.kind != configuration::ListKind::channel) continue;
     SourceText const text_of_list(path, Window{.file = sources[source], .span = list.span});
-    add_found_programs(outline, files, path, text_of_list);
+    add_found_programs(outline, files, path, configuration::read_channel_list(text_of_list, SourceId{}));
   }
   return outline;
 }

@@ -88,7 +88,7 @@ namespace {
 
 enum class Kind : std::uint8_t { response, step, delay, corner, circle, plant, path, compare };
 
-constexpr std::initializer_list<std::pair<std::string_view, Kind>> kinds = {
+std::initializer_list<std::pair<std::string_view, Kind>> const kinds = {
     {"response", Kind::response}, {"step", Kind::step}, {"delay", Kind::delay}, {"corner", Kind::corner},
     {"circle", Kind::circle},     {"path", Kind::path}, {"plant", Kind::plant}, {"compare", Kind::compare}};
 

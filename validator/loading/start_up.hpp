@@ -19,7 +19,7 @@ enum class Sought : std::uint8_t {
   list,
   program,
   streamed_program,  ///< no file need be there
-  unnamed_list       ///< an entry below a count that no line names: the control tries to open it
+  unnamed_list       ///< an entry below a count that no line names
 };
 
 /// A list that the start-up list names or counts, or a program that a channel names, and where it was found.

@@ -52,13 +52,14 @@ struct NamedEntries {
   void add(ListEntry const& entry) {
     if (entry.index == named && !entry.file.text.empty()) ++named;
   }
-  void note_next(std::string_view array, std::optional<configuration::ListCount> const& count,
+  void note_next(std::string_view array, ListKind kind, std::optional<configuration::ListCount> const& count,
                  StartUp& start_up) const {
     if (!count || named >= count->number) return;
     std::string entry = std::string(array) + "[" + std::to_string(named) + "]";
     start_up.searches.push_back({.named = {.text = std::move(entry), .place = count->place},
                                  .sought = Sought::unnamed_list,
-                                 .found = std::nullopt});
+                                 .found = std::nullopt,
+                                 .wanted = kind});
   }
 };
 
@@ -98,12 +99,15 @@ void Loader::note_unnamed_lists(StartUp& start_up) {
   if (sources_[start_up.sources.front()].is_translation()) return;
   NamedEntries axes;
   for (ListEntry const& entry : start_up.list.axes) axes.add(entry);
-  axes.note_next("achs_mds", start_up.list.axis_count, start_up);
+  axes.note_next("achs_mds", ListKind::axis, start_up.list.axis_count, start_up);
   machine_.knows_all_axes = start_up.searches.empty();
   NamedEntries compensations;
   for (configuration::CompensationEntry const& each : start_up.list.compensations)
     compensations.add(each.list);
-  compensations.note_next("achs_kw", start_up.list.compensation_count, start_up);
+  compensations.note_next("achs_kw", ListKind::compensation, start_up.list.compensation_count, start_up);
+  NamedEntries channels;
+  for (ListEntry const& entry : start_up.list.channels) channels.add(entry);
+  channels.note_next("sda_mds", ListKind::channel, start_up.list.channel_count, start_up);
   machine_.complete = start_up.searches.empty();
 }
 

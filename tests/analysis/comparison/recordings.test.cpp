@@ -14,7 +14,7 @@ namespace {
 constexpr design::CycleTime cycle_time{1'000'000};
 
 Recording stored(std::string const& name) {
-  auto const path = std::string(AXISC_SOURCE_DIR "/tests/comparison/data/") + name + ".csv";
+  auto const path = std::string(AXISC_SOURCE_DIR "/tests/analysis/comparison/data/") + name + ".csv";
   auto recorded = read_recorded_columns(path, open_source(path), {}, cycle_time);
   CHECK(recorded.input_name == "setpoint");
   CHECK(recorded.output_name == "filtered");

@@ -362,4 +362,28 @@ TEST_CASE("the tolerance is kept across the planner's windows, too") {
   }
 }
 
+TEST_CASE("a pass says that it exceeds its tolerance where the machine does not do what was planned for") {
+  // Planned is for kernels of order 4; those of the machine are longer.
+  test::Recorded recorded;
+  std::vector<AxisLimits> const limits(2, {.velocity = 5000, .acceleration = 100, .transition_weight = 0});
+  Simulation simulation(test::runtime_of(channel_of({{.order = 60}, {.order = 60}})),
+                        test::runtime_of(channel_of({{.order = 4}, {.order = 4}})), PathLimits(limits), false,
+                        recorded);
+  FilterChange change;
+  change.command.filter_switch = machine::FilterSwitch::on;
+  change.tolerance = 10;
+  simulation.command(change);
+  for (Point const& end : {Point{10'000}, Point{10'000, 10'000}}) {
+    ProgrammedBlock block;
+    block.end = end;
+    block.feed = 1000;
+    simulation.motion(block);
+  }
+  simulation.end();
+  REQUIRE_FALSE(simulation.failure().has_value());
+  REQUIRE(recorded.passes.size() == 1);
+  CHECK(recorded.passes[0].tolerance == 10);
+  CHECK_FALSE(recorded.passes[0].keeps_tolerance());
+}
+
 }  // namespace axisc::motion
