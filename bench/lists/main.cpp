@@ -96,8 +96,8 @@ void check(std::string& text, validator::CheckOptions const& options, SourceSet&
 
 std::size_t findings = 0;  ///< so that nothing is optimised away
 
-/// Texts that a check moves out of, and where it moves them: copied before it and freed behind it, for other readers find
-/// and leave theirs as well.
+/// Texts that a check moves out of, and where it moves them: copied before it and freed behind it, for other
+/// readers find and leave theirs as well.
 struct ReadFiles {
   std::vector<std::string> files;
   std::deque<SourceSet> sources;

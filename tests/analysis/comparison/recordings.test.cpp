@@ -105,7 +105,8 @@ TEST_CASE("a control that computes what axisc does is the same but for the offse
 }
 
 TEST_CASE("a filter that is nearly a delay does not hide that filters are off") {
-  // The forward Euler method puts its three poles at 0.055: an answer that rises within two cycles, three cycles late.
+  // The forward Euler method puts its three poles at 0.055: an answer that rises within two cycles, three
+  // cycles late.
   auto configured = lowpass(3, 76.7);
   configured.filters.front().prototype = design::Prototype::critical_damping;
   auto const all = readings(configured);

@@ -29,7 +29,8 @@ TEST_CASE("a text with many edits counts lines as one that is read anew") {
     edited.replace(begin, end, piece);
     for (std::size_t line = 0; line < 12; ++line) {
       editor::TextPosition const position{.line = line, .character = below(5)};
-      if (edited.offset(position) != editor::TextLines(text, encoding).offset(position)) FAIL(i << " " << text);
+      if (edited.offset(position) != editor::TextLines(text, encoding).offset(position))
+        FAIL(i << " " << text);
     }
   }
   CHECK(std::move(edited).take() == text);
