@@ -31,8 +31,7 @@ constexpr Sentence project_beside{
     "this is next to the CDATA section of {element} and not read; put the list into the section and remove "
     "the rest",
     "das steht neben dem CDATA-Abschnitt von {element} und wird nicht gelesen; die Liste in den Abschnitt "
-    "schreiben "
-    "und den Rest entfernen"};
+    "schreiben und den Rest entfernen"};
 
 }  // namespace axisc::configuration::says
 

@@ -30,8 +30,7 @@ constexpr Sentence xml_outside{
     "text or a second element outside the first one; XML has one element that holds all others: remove the "
     "rest",
     "Text oder ein zweites Element außerhalb des ersten; XML hat ein Element, das alle anderen enthält: den "
-    "Rest "
-    "entfernen"};
+    "Rest entfernen"};
 constexpr Sentence xml_nul{"a byte 0 is not allowed in XML; export the file again",
                            "ein Byte 0 ist in XML nicht erlaubt; die Datei neu exportieren"};
 

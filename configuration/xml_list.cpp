@@ -32,8 +32,7 @@ constexpr Sentence xml_text{
     "text in an XML list is not read; write a value as the attribute Value of its element, or remove the "
     "text",
     "Text in einer XML-Liste wird nicht gelesen; einen Wert als Attribut Value seines Elements schreiben "
-    "oder den "
-    "Text entfernen"};
+    "oder den Text entfernen"};
 constexpr Sentence xml_control{
     "the value has a line break or another control character in it; remove it",
     "im Wert steht ein Zeilenumbruch oder ein anderes Steuerzeichen; es entfernen"};

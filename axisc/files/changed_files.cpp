@@ -21,9 +21,7 @@ constexpr Sentence no_repository{
     "--changed-since braucht ein Git-Repository: in keinem Ordner von {folder} aufwärts liegt .git"};
 constexpr Sentence no_git{
     "--changed-since needs the program git, which cannot be started ({reason}); install it, or add its "
-    "folder "
-    "to "
-    "PATH",
+    "folder to PATH",
     "--changed-since braucht das Programm git, das sich nicht starten lässt ({reason}); es installieren oder "
     "seinen Ordner in PATH aufnehmen"};
 constexpr Sentence git_refuses{

@@ -34,16 +34,13 @@ constexpr Sentence cannot_read_image{
     "cannot read {file} as a list: it is a coefficient image; give the list or machine file that it was "
     "compiled from, or look into it with `axisc inspect`",
     "{file} ist nicht als Liste lesbar: es ist ein Koeffizientenabbild; die Liste oder Maschinendatei "
-    "angeben, "
-    "aus der es entstand, oder mit `axisc inspect` ansehen"};
+    "angeben, aus der es entstand, oder mit `axisc inspect` ansehen"};
 
 constexpr Sentence cannot_read_not_regular{
     "cannot read {file}: it is a pipe, a device or a file of /proc or /sys, not a regular file; use - for "
-    "standard "
-    "input",
+    "standard input",
     "{file} ist nicht lesbar: eine Pipe, ein Gerät oder eine Datei aus /proc oder /sys, keine gewöhnliche "
-    "Datei; "
-    "- ist die Standardeingabe"};
+    "Datei; - ist die Standardeingabe"};
 constexpr Sentence cannot_read_link_loop{"cannot read {file}: its symbolic links lead in a circle",
                                          "{file} ist nicht lesbar: ihre symbolischen Links führen im Kreis"};
 

@@ -17,9 +17,9 @@ constexpr Sentence is_input{
     "{file} ist eine der Eingaben und würde überschrieben; einen anderen Namen wählen"};
 constexpr Sentence is_output_too{"{file} and {other} are the same file; choose two names",
                                  "{file} und {other} sind dieselbe Datei; zwei Namen wählen"};
-constexpr Sentence is_key{"{file} is a secret key and would be overwritten; choose another name",
-                          "{file} ist ein geheimer Schlüssel und würde überschrieben; einen anderen Namen "
-                          "wählen"};
+constexpr Sentence is_key{
+    "{file} is a secret key and would be overwritten; choose another name",
+    "{file} ist ein geheimer Schlüssel und würde überschrieben; einen anderen Namen wählen"};
 
 }  // namespace axisc::says
 

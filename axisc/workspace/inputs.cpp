@@ -47,8 +47,7 @@ constexpr Sentence folder_link{
 constexpr Sentence unclear{
     "{file} is not checked: it is cut off or not text, and may have been a machine file; name it to check it",
     "{file} wird nicht geprüft: abgeschnitten oder kein Text, vielleicht eine Maschinendatei; die Datei "
-    "angeben, um "
-    "sie zu prüfen"};
+    "angeben, um sie zu prüfen"};
 constexpr Sentence listed{
     "cannot read {file}, named in {place}: there is no such file; check the name and the folder",
     "{file}, genannt in {place}, ist nicht lesbar: die Datei gibt es nicht; Name und Ordner prüfen"};

@@ -36,9 +36,9 @@ constexpr Sentence cascade_line{"delay {delay} ms, {deviation} mm at a corner at
 constexpr Sentence cascade_not_straight{
     "delay {delay} ms; no corner deviation in mm: the axis is not translatory",
     "Verzögerung {delay} ms; keine Eckenabweichung in mm: die Achse ist nicht translatorisch"};
-constexpr Sentence cascade_no_feed{"delay {delay} ms; no corner deviation: the axis has no feed limit",
-                                   "Verzögerung {delay} ms; keine Eckenabweichung: die Achse hat keine "
-                                   "Vorschubgrenze"};
+constexpr Sentence cascade_no_feed{
+    "delay {delay} ms; no corner deviation: the axis has no feed limit",
+    "Verzögerung {delay} ms; keine Eckenabweichung: die Achse hat keine Vorschubgrenze"};
 constexpr Sentence no_figures{"no figures: {machine} has errors, they are among the problems",
                               "keine Werte: {machine} hat Fehler, sie stehen unter den Problemen"};
 constexpr Sentence no_channel{"no figures: the axis is in no channel of {machine}",

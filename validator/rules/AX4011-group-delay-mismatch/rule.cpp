@@ -18,8 +18,7 @@ constexpr Sentence headline{
     "the axes of the channel are out of step: their filter delays differ by {cycles} cycles ({milliseconds} "
     "ms)",
     "die Achsen des Kanals laufen nicht synchron: ihre Filterverzögerungen unterscheiden sich um {cycles} "
-    "Zyklen "
-    "({milliseconds} ms)"};
+    "Zyklen ({milliseconds} ms)"};
 constexpr Sentence odd{"axis \"{axis}\" is out of step with the others: `{filter}` makes the difference",
                        "Achse „{axis}“ läuft nicht mit den anderen: `{filter}` macht den Unterschied"};
 constexpr Sentence limit{

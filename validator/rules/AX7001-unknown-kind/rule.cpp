@@ -14,11 +14,9 @@ constexpr Sentence help_defaults{
     "ihren Text wiederherstellen: so gelten überall die Werte der Standardliste oder die der Steuerung"};
 constexpr Sentence help{
     "`--kind axis`, or \"kind\" in axisc.json, checks it as an axis list, \"exclude\" there leaves it out; "
-    "other kinds: "
-    "{kinds}",
+    "other kinds: {kinds}",
     "`--kind axis` oder \"kind\" in axisc.json prüft sie als Achsliste, \"exclude\" dort lässt sie aus; "
-    "andere Arten: "
-    "{kinds}"};
+    "andere Arten: {kinds}"};
 
 }  // namespace axisc::validator::says
 
