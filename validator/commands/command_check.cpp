@@ -78,7 +78,7 @@ SentenceRef text_of(CommandProblemKind kind) {
 class CommandChecker {
  public:
   CommandChecker(NcCommand const& command, std::string_view text, CommandLimits const& limits,
-               Variables variables)
+                 Variables variables)
       : command_(command), text_(text), limits_(limits), variables_(variables) {}
 
   CheckedCommand check() {
