@@ -81,7 +81,7 @@ TEST_CASE("what a German number is") {
 
 TEST_CASE("German outputs have decimal commas") {
   std::size_t files = 0;
-  for (auto const& entry : fs::recursive_directory_iterator("tests/cli/data/golden")) {
+  for (auto const& entry : fs::recursive_directory_iterator(AXISC_SOURCE_DIR "/tests/cli/data/golden")) {
     std::string const name = entry.path().filename().string();
     bool const is_german =
         name.find(".de.") != std::string::npos || name.ends_with(".de") || name.starts_with("de.");
@@ -123,7 +123,7 @@ TEST_CASE("German answers have decimal commas") {
   for (Asked const& asked : all) {
     auto arguments = asked.arguments;
     arguments.insert(arguments.end(), {"--lang", "de"});
-    auto const answer = run_axisc(arguments, in_folder(asked.folder));
+    auto const answer = run_axisc(arguments, in_folder(AXISC_SOURCE_DIR "/" + asked.folder));
     INFO(asked.folder << ": " << arguments.front() << " " << arguments.at(1) << "\n" << answer.err);
     CHECK_FALSE(answer.out.empty());
     bool const is_page = answer.out.starts_with("<!");
