@@ -43,7 +43,7 @@ bool is_written_so(std::string const& line) {
 std::vector<std::string> lines_with_points(std::string const& text) {
   static std::regex const code("`[^`]*`|#FILTER[^\\]]*\\]");
   static std::regex const number(R"((^|[^\w.:=/,])[-+]?\d+\.\d+(?!\w|\.\w))");
-  static std::regex const version(R"((Format|Abschnitt|axisc) \d+\.\d+)");
+  static std::regex const version(R"((Format|Abschnitt|axisc) +\d+\.\d+)");
   std::vector<std::string> found;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
