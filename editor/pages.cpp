@@ -3,7 +3,7 @@
 #include "axisc/answers/explain/explain_formats.hpp"
 #include "axisc/answers/figures/plots.hpp"
 #include "axisc/answers/figures/script_digest.hpp"
-#include "axisc/answers/machine/machine_formats.hpp"
+#include "axisc/answers/machine/machine_answer.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/asked/finding_codes.hpp"
@@ -14,6 +14,7 @@
 #include "diagnostics/format_number.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
+#include "presentation/writers.hpp"
 #include "validator/engine/rule.hpp"
 #include "validator/loading/loader.hpp"
 
@@ -191,8 +192,8 @@ Page machine_page(PageSubject const& subject) {
   }
   auto const name = std::string(validator::file_name(subject.machine));
   auto const title = render({.sentence = says::title_machine, .arguments = {{"machine", name}}}, language);
-  auto const text = machine_text(std::get<validator::LoadedMachine>(loaded), sources, language);
-  return whole_page(title, text_of("h1", title) + "\n" + text_of("pre", text), language);
+  auto const answer = machine_answer(std::get<validator::LoadedMachine>(loaded), sources);
+  return {.title = title, .html = write(answer, presentation::Format::html, {.language = language})};
 }
 
 Page explanation_page(PageSubject const& subject) {
