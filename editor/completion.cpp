@@ -1,10 +1,11 @@
-#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/answers/explain/explain_answer.hpp"
 #include "diagnostics/ascii.hpp"
 #include "editor/meaning/program_help.hpp"
 #include "editor/reading/open_list.hpp"
 #include "editor/reading/places.hpp"
 #include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
+#include "presentation/writers.hpp"
 #include "schema/descriptions/description.hpp"
 #include "schema/indexed_name.hpp"
 #include "schema/value.hpp"
@@ -259,8 +260,10 @@ Json Server::resolve_completion(Json const& params) {
       std::find_if(rows.begin(), rows.end(), [&name](auto const& known) { return known.name == name; });
   if (row == rows.end()) return item;
   if (markdown_in_completion_) {
-    item["documentation"] = {{"kind", "markdown"},
-                             {"value", explain_parameter(catalogue, *row, surroundings_.language)}};
+    item["documentation"] = {
+        {"kind", "markdown"},
+        {"value", write(parameter_answer(catalogue, *row), presentation::Format::markdown,
+                        {.language = surroundings_.language})}};
   } else {
     item["documentation"] = schema::description_of(*row).what.in(surroundings_.language);
   }

@@ -1,4 +1,4 @@
-#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/answers/explain/explain_answer.hpp"
 #include "configuration/list_kind.hpp"
 #include "diagnostics/location.hpp"
 #include "editor/meaning/filter_figures.hpp"
@@ -8,6 +8,7 @@
 #include "editor/reading/places.hpp"
 #include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
+#include "presentation/writers.hpp"
 #include "schema/descriptions/description.hpp"
 #include "validator/loading/loader.hpp"
 #include "validator/views/units_text.hpp"
@@ -114,14 +115,15 @@ Json Server::hover(Json const& params) {
                 {"range", range_json(position_of(asked.text, begin, encoding_),
                                      position_of(asked.text, end, encoding_))}};
   };
+  auto const format = markdown_ ? presentation::Format::markdown : presentation::Format::text;
   if (auto const number = parameter_number_at(asked.text, offset)) {
     std::string text;
     auto const catalogue = number->kind == schema::ListKind::axis
                                ? surroundings_.options(asked.path).catalogue
                                : schema::Catalogue::of(number->kind);
     for (auto const id : catalogue.find_number(number->number)) {
-      text += (text.empty() ? "" : "\n") +
-              explain_parameter(catalogue, catalogue.parameter(id), surroundings_.language);
+      text += (text.empty() ? "" : "\n") + write(parameter_answer(catalogue, catalogue.parameter(id)), format,
+                                                 {.language = surroundings_.language});
     }
     if (!text.empty()) return answer(std::move(text), number->begin, number->end);
   }
@@ -137,7 +139,8 @@ Json Server::hover(Json const& params) {
   auto const found = list.find(list.slice(line->name));
   if (found.row == nullptr) return nullptr;
   if (is_on(line->name)) {
-    auto text = explain_parameter(list.catalogue(), *found.row, surroundings_.language);
+    auto text =
+        write(parameter_answer(list.catalogue(), *found.row), format, {.language = surroundings_.language});
     if (found.status == schema::NameLookup::Status::found) {
       text += effective_text(list, found.slot, line->line, surroundings_.language);
       text += filter_figures(list, list.slice(line->name), markdown_, surroundings_.language);

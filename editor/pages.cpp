@@ -1,10 +1,9 @@
 #include "editor/pages.hpp"
 
-#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/figures/plots.hpp"
 #include "axisc/answers/figures/script_digest.hpp"
 #include "axisc/answers/machine/machine_answer.hpp"
-#include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/asked/finding_codes.hpp"
 #include "axisc/checking/compilable.hpp"
@@ -13,7 +12,6 @@
 #include "axisc/files/disk_files.hpp"
 #include "diagnostics/format_number.hpp"
 #include "presentation/pictures/page.hpp"
-#include "presentation/pictures/svg_text.hpp"
 #include "presentation/writers.hpp"
 #include "validator/engine/rule.hpp"
 #include "validator/loading/loader.hpp"
@@ -173,15 +171,6 @@ class PagesOfMachine {
   std::optional<image::RuntimeHost> host_;
 };
 
-/// `body` is HTML.
-Page whole_page(std::string const& title, std::string const& body, Language language) {
-  return {.title = title,
-          .html = "<!doctype html>\n<html lang=\"" + std::string(language == Language::german ? "de" : "en") +
-                  "\">\n<head><meta charset=\"utf-8\"><title>" + pictures::escaped(title) +
-                  "</title>\n<style>" + pictures::page_style() +
-                  "pre {white-space: pre-wrap}</style></head>\n<body>" + body + "</body>\n</html>\n"};
-}
-
 Page machine_page(PageSubject const& subject) {
   auto const language = subject.language;
   SourceSet sources;
@@ -204,7 +193,8 @@ Page explanation_page(PageSubject const& subject) {
   if (rule == nullptr) {
     throw RequestRefused(render({.sentence = says::unknown_rule, .arguments = {{"code", word}}}, language));
   }
-  return whole_page(code_text(rule->code), html_of_markdown(explain_rule(*rule, 1, language), 0), language);
+  return {.title = code_text(rule->code),
+          .html = write(rule_answer(*rule), presentation::Format::html, {.language = language})};
 }
 
 /// What is wrong with an input is told to the client.
