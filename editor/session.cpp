@@ -1,6 +1,5 @@
 #include "editor/session.hpp"
 
-#include "axisc/answers/explain/explain_formats.hpp"
 #include "axisc/checking/check_input.hpp"
 #include "axisc/checking/checking_options.hpp"
 #include "axisc/environment/failure.hpp"

@@ -13,7 +13,7 @@ std::string name_of(Column const& column) {
   return column.member.empty() ? column.key : column.key + "." + column.member;
 }
 
-/// The rows of all tables of one key.
+/// The rows of all tables of one key; of an array of sections a row each.
 class CsvWriter {
  public:
   CsvWriter(std::string_view key, Language language) : key_(key), language_(language) {}
@@ -25,6 +25,7 @@ class CsvWriter {
   void operator()(Facts const& /*facts*/) {}
   void operator()(Paragraph const& /*paragraph*/) {}
   void operator()(Verbatim const& /*verbatim*/) {}
+  void operator()(Prose const& /*prose*/) {}
   void operator()(Picture const& /*picture*/) {}
   void operator()(Section const& section) {
     if (!is_for_programs(section.audience)) return;
@@ -34,10 +35,16 @@ class CsvWriter {
     identity_.erase(identity_.begin() + static_cast<std::ptrdiff_t>(outside), identity_.end());
   }
   void operator()(Sections const& sections) {
-    for (auto const& section : sections.items) (*this)(section);
+    for (auto const& section : sections.items) {
+      if (sections.key == key_) {
+        add_section(section);
+      } else {
+        (*this)(section);
+      }
+    }
   }
   void operator()(Table const& table) {
-    if (table.key != key_ || !is_for_programs(table.audience)) return;
+    if (table.key != key_) return;
     std::vector<std::size_t> places;
     for (auto const& field : identity_) places.push_back(place_of(field.key));
     for (auto const& column : table.columns) {
@@ -65,6 +72,32 @@ class CsvWriter {
   }
 
  private:
+  /// A row of its fields and those of the objects in it, "minimum.open"; columns are those that some row fills.
+  void add_section(Section const& section) {
+    std::vector<std::string> cells;
+    auto const add = [&](std::vector<Field> const& fields, std::string const& object) {
+      for (auto const& field : fields) {
+        auto cell = text_of_cell(field.value);
+        if (!is_for_programs(field.audience) || cell.empty()) continue;
+        auto const place = place_of(object + field.key);
+        cells.resize(names_.size());
+        cells[place] = std::move(cell);
+      }
+    };
+    auto const add_facts = [&](std::vector<Block> const& blocks, std::string const& object) {
+      for (auto const& block : blocks) {
+        if (auto const* const facts = std::get_if<Facts>(&block)) add(facts->fields, object);
+      }
+    };
+    add(identity_, {});
+    add(section.identity, {});
+    add_facts(section.blocks, {});
+    for (auto const& block : section.blocks) {
+      auto const* const inner = std::get_if<Section>(&block);
+      if (inner != nullptr && !inner->key.empty()) add_facts(inner->blocks, inner->key + ".");
+    }
+    rows_.push_back(std::move(cells));
+  }
   std::size_t place_of(std::string const& name) {
     auto const found = std::find(names_.begin(), names_.end(), name);
     auto const place = static_cast<std::size_t>(found - names_.begin());
@@ -73,9 +106,10 @@ class CsvWriter {
   }
 
   [[nodiscard]] std::string text_of_cell(Value const& value) const {
-    if (value.is_nothing()) return {};
-    if (auto const* const quantity = std::get_if<Quantity>(&value.form()))
+    if (value.is_nothing() || value.is_blank()) return {};
+    if (auto const* const quantity = std::get_if<Quantity>(&value.form())) {
       return format_exact(quantity->value);
+    }
     if (auto const* const truth = std::get_if<bool>(&value.form())) return *truth ? "true" : "false";
     if (auto const* const symbol = std::get_if<Symbol>(&value.form())) return std::string(symbol->symbol);
     if (value.is_number()) return presentation::text_of(value, language_);

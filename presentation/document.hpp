@@ -17,7 +17,7 @@ namespace axisc::presentation {
 /// The readers of a part of an answer. People read text, Markdown and HTML, programs read JSON and CSV.
 enum class Audience : std::uint8_t { all, people, programs };
 
-/// One value under a name. Keys are snake_case and end with the suffix of their unit.
+/// One value under a name. People do not see a field without a value. Keys are snake_case and end with the suffix of their unit.
 struct Field {
   std::string key;
   Words label;
@@ -25,8 +25,9 @@ struct Field {
   Audience audience = Audience::all;
 };
 
-/// A field that only programs read.
+/// A field that only programs read, and one that only people see.
 [[nodiscard]] Field data(std::string key, Value value);
+[[nodiscard]] Field shown(Words label, Value value);
 
 /// In JSON members of the enclosing object.
 struct Facts {
@@ -36,21 +37,11 @@ struct Facts {
 struct Column {
   std::string key;
   Words label;
-  Unit unit = Unit::none;  ///< of all its numbers; the heading shows it
+  Unit unit = Unit::none;  ///< of its numbers, where they have none themselves
   std::string member =
       {};  ///< where columns of one key form an object in JSON: its member; "key.member" in CSV
   Audience audience = Audience::all;
   bool is_head = false;  ///< identifies a row: repeated where a wide table is divided
-};
-
-/// In JSON an array of objects, in CSV rows.
-struct Table {
-  std::string key;
-  std::vector<Column> columns;
-  std::vector<std::vector<Value>> rows;  ///< as many values as columns
-  Audience audience = Audience::all;
-  std::size_t most_shown =
-      static_cast<std::size_t>(-1);  ///< rows shown to people; then the number of further rows
 };
 
 /// A sentence for people; the parts of it that programs need are fields.
@@ -65,13 +56,20 @@ struct Verbatim {
   Audience audience = Audience::all;
 };
 
+/// Pages of prose: Markdown without headings. In JSON one string.
+struct Prose {
+  std::string key;
+  Wording markdown;
+};
+
 struct Picture {
   pictures::Figure figure;
 };
 
+struct Table;
 struct Section;
 struct Sections;
-using Block = std::variant<Facts, Table, Paragraph, Verbatim, Picture, Section, Sections>;
+using Block = std::variant<Facts, Table, Paragraph, Verbatim, Prose, Picture, Section, Sections>;
 
 /// In JSON an object; one without a key adds its members to the enclosing object.
 struct Section {
@@ -82,7 +80,13 @@ struct Section {
   /// does so.
   std::vector<Field> identity = {};
   Audience audience = Audience::all;
+  std::string id = {};  ///< links lead here
 };
+
+/// An object of fields that only programs read.
+[[nodiscard]] Section data_section(std::string key, std::vector<Field> fields);
+/// Blocks under a title.
+[[nodiscard]] Section part(Words title, std::vector<Block> blocks, Audience audience = Audience::all);
 
 /// Sections of one kind; in JSON an array.
 struct Sections {
@@ -90,11 +94,27 @@ struct Sections {
   std::vector<Section> items;
 };
 
+/// In JSON an array of objects, in CSV rows.
+struct Table {
+  std::string key;
+  std::vector<Column> columns = {};
+  std::vector<std::vector<Value>> rows = {};  ///< as many values as columns
+  Audience audience = Audience::all;
+  std::size_t most_shown =
+      static_cast<std::size_t>(-1);  ///< rows that people see; then how many more there are
+  /// More about each row, or empty: in JSON further members of its object; people see it after the table.
+  std::vector<Section> details = {};
+};
+
+/// A row of fields; the first row makes the columns, of which people see the first as head.
+void add_row(Table& table, std::vector<Field> fields);
+
 struct Document {
-  int version = 1;  ///< of the JSON form
+  int version = 1;  ///< of the JSON form; 0: it is a file of another kind, without a version
   Words title;
   std::vector<Block> blocks;
-  std::string csv_table = {};  ///< key of the tables that CSV has; empty: this answer has no CSV
+  /// Key of the tables that CSV has, also of one for people, or of sections, of which CSV has the fields; empty: no CSV.
+  std::string csv_table = {};
 };
 
 }  // namespace axisc::presentation

@@ -1,5 +1,6 @@
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
+#include "presentation/prose.hpp"
 #include "presentation/shown_table.hpp"
 #include "presentation/writers.hpp"
 
@@ -11,16 +12,23 @@ namespace {
 
 using pictures::escaped;
 
-/// A sentence's `code` as elements.
+std::string element(std::string_view tag, std::string_view content) {
+  return (std::string("<").append(tag) += ">").append(content).append("</").append(tag) += ">";
+}
+
+/// A sentence's `code` and **bold** as elements. What has no end stays as it is.
 std::string inline_html(std::string_view text) {
   std::string html;
   while (!text.empty()) {
-    auto const begin = text.find('`');
-    auto const end = begin == std::string_view::npos ? begin : text.find('`', begin + 1);
+    auto const begin = std::min(text.find('`'), text.find("**"));
+    if (begin == std::string_view::npos) break;
+    std::string_view const mark = text[begin] == '`' ? "`" : "**";
+    auto const end = text.find(mark, begin + mark.size());
     if (end == std::string_view::npos) break;
-    html += escaped(text.substr(0, begin)) + "<code>" + escaped(text.substr(begin + 1, end - begin - 1)) +
-            "</code>";
-    text.remove_prefix(end + 1);
+    auto const inner = text.substr(begin + mark.size(), end - begin - mark.size());
+    html += escaped(text.substr(0, begin)) +
+            (mark == "`" ? element("code", escaped(inner)) : element("strong", inline_html(inner)));
+    text.remove_prefix(end + mark.size());
   }
   return html + escaped(text);
 }
@@ -52,7 +60,7 @@ class HtmlWriter {
   void operator()(Facts const& facts) {
     std::string rows;
     for (auto const& field : facts.fields) {
-      if (!is_for_people(field.audience)) continue;
+      if (!is_for_people(field.audience) || field.value.is_blank()) continue;
       rows += R"(<tr><th scope="row">)" + inline_html(text_of(field.label, language_)) + "</th><td>" +
               inline_html(text_of(field.value, language_)) + "</td></tr>\n";
     }
@@ -61,20 +69,8 @@ class HtmlWriter {
   void operator()(Table const& table) {
     if (!is_for_people(table.audience) || table.rows.empty()) return;
     auto const shown = shown_table(table, language_);
-    html_ += R"(<table tabindex="0"><thead><tr>)";
-    for (auto const& heading : shown.headings) {
-      html_ += R"(<th scope="col">)" + inline_html(heading) + "</th>";
-    }
-    html_ += "</tr></thead><tbody>\n";
-    for (auto const& row : shown.rows) {
-      html_ += "<tr>";
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        html_ += (shown.is_right[i] ? R"(<td class="number">)" : "<td>") + inline_html(row[i]) + "</td>";
-      }
-      html_ += "</tr>\n";
-    }
-    html_ += "</tbody></table>\n";
-    if (!shown.more.empty()) html_ += "<p>" + escaped(shown.more) + "</p>\n";
+    if (!shown.columns.empty()) rows(table, shown);
+    for (auto const& section : table.details) (*this)(section);
   }
   void operator()(Paragraph const& paragraph) {
     html_ += "<p>" + inline_html(text_of(paragraph.words, language_)) + "</p>\n";
@@ -83,12 +79,14 @@ class HtmlWriter {
     if (!is_for_people(verbatim.audience) || verbatim.text.empty()) return;
     html_ += R"(<pre tabindex="0">)" + escaped(verbatim.text) + "</pre>\n";
   }
+  void operator()(Prose const& prose) { blocks(blocks_of(prose, language_)); }
   void operator()(Picture const& picture) { html_ += pictures::figure_element(picture.figure, language_); }
   void operator()(Section const& section) {
     if (!is_for_people(section.audience)) return;
     if (section.title) {
       auto const tag = "h" + std::to_string(std::min(level_, 6));
-      html_ += "<" + tag + ">" + inline_html(text_of(*section.title, language_)) + "</" + tag + ">\n";
+      auto const id = section.id.empty() ? std::string() : pictures::attribute("id", section.id);
+      html_ += "<" + tag + id + ">" + inline_html(text_of(*section.title, language_)) + "</" + tag + ">\n";
       ++level_;
     }
     blocks(section.blocks);
@@ -99,6 +97,28 @@ class HtmlWriter {
   }
 
  private:
+  void rows(Table const& table, ShownTable const& shown) {
+    html_ += R"(<table tabindex="0"><thead><tr>)";
+    for (auto const& heading : shown.headings) {
+      html_ += R"(<th scope="col">)" + inline_html(heading) + "</th>";
+    }
+    html_ += "</tr></thead><tbody>\n";
+    for (std::size_t row = 0; row < shown.rows.size(); ++row) {
+      html_ += "<tr>";
+      for (std::size_t i = 0; i < shown.columns.size(); ++i) {
+        auto const& value = table.rows[row][shown.columns[i]];
+        html_ += (shown.is_right[i] ? R"(<td class="number">)" : "<td>") +
+                 linked(value, inline_html(shown.rows[row][i])) + "</td>";
+      }
+      html_ += "</tr>\n";
+    }
+    html_ += "</tbody></table>\n";
+    if (!shown.more.empty()) html_ += "<p>" + escaped(shown.more) + "</p>\n";
+  }
+  static std::string linked(Value const& value, std::string const& html) {
+    auto const* const link = std::get_if<Link>(&value.form());
+    return link == nullptr ? html : "<a" + pictures::attribute("href", "#" + link->id) + ">" + html + "</a>";
+  }
   void blocks(std::vector<Block> const& all) {
     for (auto const& block : all) std::visit(*this, block);
   }

@@ -19,7 +19,7 @@ class JsonWriter {
 
   void write(Document const& document) {
     json_.begin_object();
-    json_.member("version", static_cast<std::uint64_t>(document.version));
+    if (document.version > 0) json_.member("version", static_cast<std::uint64_t>(document.version));
     members(document.blocks);
     json_.end_object();
   }
@@ -29,7 +29,12 @@ class JsonWriter {
     if (!is_for_programs(table.audience)) return;
     json_.key(table.key);
     json_.begin_array();
-    for (auto const& row : table.rows) object(table.columns, row);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      json_.begin_object();
+      row(table.columns, table.rows[i]);
+      if (!table.details.empty()) (*this)(table.details[i]);
+      json_.end_object();
+    }
     json_.end_array();
   }
   void operator()(Paragraph const& /*paragraph*/) {}
@@ -37,6 +42,10 @@ class JsonWriter {
     if (!is_for_programs(verbatim.audience)) return;
     json_.key(verbatim.key);
     json_.string(verbatim.text);
+  }
+  void operator()(Prose const& prose) {
+    json_.key(prose.key);
+    json_.string(prose.markdown.in(language_));
   }
   void operator()(Picture const& /*picture*/) {}
   void operator()(Section const& section) {
@@ -68,6 +77,13 @@ class JsonWriter {
     for (auto const& name : names) json_.string(name);
     json_.end_array();
   }
+  void operator()(Numbers const& numbers) {
+    json_.begin_array();
+    for (double const number : numbers.values) json_.raw(json_number(number));
+    json_.end_array();
+  }
+  void operator()(Wording const& wording) { json_.string(wording.in(language_)); }
+  void operator()(Link const& link) { json_.string(link.text); }
 
  private:
   void members(std::vector<Block> const& blocks) {
@@ -89,8 +105,7 @@ class JsonWriter {
     json_.end_object();
   }
   /// Neighbouring columns of one key with different members are one object.
-  void object(std::vector<Column> const& columns, std::vector<Value> const& row) {
-    json_.begin_object();
+  void row(std::vector<Column> const& columns, std::vector<Value> const& row) {
     std::string_view open;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       auto const& column = columns[i];
@@ -111,7 +126,6 @@ class JsonWriter {
       member(escaped_key(column.member), row[i]);
     }
     if (!open.empty()) json_.end_object();
-    json_.end_object();
   }
 
   JsonStream json_;

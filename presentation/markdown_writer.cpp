@@ -1,3 +1,4 @@
+#include "diagnostics/ascii.hpp"
 #include "presentation/shown_table.hpp"
 #include "presentation/writers.hpp"
 
@@ -7,11 +8,21 @@ namespace axisc::presentation {
 
 namespace {
 
-/// Text in which nothing is markup.
+/// Text in which nothing is markup, with as few escapes as that takes: names of parameters, `filter[0].fg_f0`, stay as
+/// they are.
 std::string plain(std::string_view text) {
+  auto const is_word = [&](std::size_t at) {
+    return at < text.size() && (ascii::is_letter(text[at]) || ascii::is_digit(text[at]));
+  };
   std::string shown;
-  for (char const character : text) {
-    if (std::string_view("\\`*_[]<>|#").find(character) != std::string_view::npos) shown += '\\';
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    char const character = text[i];
+    bool const is_markup = character == '_'   ? i == 0 || !is_word(i - 1) || !is_word(i + 1)
+                           : character == ']' ? text.substr(i + 1).starts_with('(')
+                           : character == '#'
+                               ? i == 0
+                               : std::string_view("\\`*<>|").find(character) != std::string_view::npos;
+    if (is_markup) shown += '\\';
     shown += character;
   }
   return shown;
@@ -28,7 +39,8 @@ std::string in_cell(std::string_view text) {
 }
 
 bool is_sentence(Value const& value) {
-  return std::holds_alternative<Words>(value.form()) || std::holds_alternative<Symbol>(value.form());
+  return std::holds_alternative<Words>(value.form()) || std::holds_alternative<Symbol>(value.form()) ||
+         std::holds_alternative<Wording>(value.form());
 }
 
 class MarkdownWriter {
@@ -44,7 +56,7 @@ class MarkdownWriter {
   void operator()(Facts const& facts) {
     bool any = false;
     for (auto const& field : facts.fields) {
-      if (!is_for_people(field.audience)) continue;
+      if (!is_for_people(field.audience) || field.value.is_blank()) continue;
       if (!any) text_ += "\n";
       any = true;
       text_ += "- " + text_of(field.label, language_) + ": " + shown(field.value) + "\n";
@@ -53,22 +65,8 @@ class MarkdownWriter {
   void operator()(Table const& table) {
     if (!is_for_people(table.audience) || table.rows.empty()) return;
     auto const shown_cells = shown_table(table, language_);
-    text_ += "\n|";
-    for (auto const& heading : shown_cells.headings) text_ += " " + in_cell(heading) + " |";
-    text_ += "\n|";
-    for (bool const is_right : shown_cells.is_right) text_ += is_right ? "--:|" : "---|";
-    text_ += "\n";
-    for (std::size_t row = 0; row < shown_cells.rows.size(); ++row) {
-      text_ += '|';
-      std::size_t next = 0;
-      for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        if (!is_for_people(table.columns[i].audience)) continue;
-        auto const& cell = shown_cells.rows[row][next++];
-        text_ += " " + (is_sentence(table.rows[row][i]) ? in_cell(cell) : plain(cell)) + " |";
-      }
-      text_ += '\n';
-    }
-    if (!shown_cells.more.empty()) text_ += "\n" + shown_cells.more + "\n";
+    if (!shown_cells.columns.empty()) rows(table, shown_cells);
+    for (auto const& section : table.details) (*this)(section);
   }
   void operator()(Paragraph const& paragraph) { text_ += "\n" + text_of(paragraph.words, language_) + "\n"; }
   void operator()(Verbatim const& verbatim) {
@@ -80,12 +78,19 @@ class MarkdownWriter {
     if (!verbatim.text.ends_with('\n')) text_ += '\n';
     text_ += fence + "\n";
   }
+  void operator()(Prose const& prose) {
+    auto const& text = prose.markdown.in(language_);
+    if (text.empty()) return;
+    text_ += "\n" + text;
+    if (!text.ends_with('\n')) text_ += '\n';
+  }
   void operator()(Picture const& picture) { text_ += "\n*" + plain(picture.figure.description) + "*\n"; }
   void operator()(Section const& section) {
     if (!is_for_people(section.audience)) return;
     if (section.title) {
       ++level_;
       text_ += '\n';
+      if (!section.id.empty()) text_ += "<a id=\"" + section.id + "\"></a>\n\n";
       heading(*section.title);
     }
     blocks(section.blocks);
@@ -101,8 +106,29 @@ class MarkdownWriter {
   void heading(Words const& words) {
     text_.append(std::min(level_, deepest), '#').append(" ").append(text_of(words, language_)).append("\n");
   }
+  void rows(Table const& table, ShownTable const& cells) {
+    text_ += "\n|";
+    for (auto const& heading : cells.headings) text_ += " " + in_cell(heading) + " |";
+    text_ += "\n|";
+    for (bool const is_right : cells.is_right) text_ += is_right ? "--:|" : "---|";
+    text_ += "\n";
+    for (std::size_t row = 0; row < cells.rows.size(); ++row) {
+      text_ += '|';
+      for (std::size_t i = 0; i < cells.columns.size(); ++i) {
+        text_ += " " + marked(table.rows[row][cells.columns[i]], cells.rows[row][i]) + " |";
+      }
+      text_ += '\n';
+    }
+    if (!cells.more.empty()) text_ += "\n" + cells.more + "\n";
+  }
   void blocks(std::vector<Block> const& all) {
     for (auto const& block : all) std::visit(*this, block);
+  }
+  /// What people see of a value, as a cell.
+  static std::string marked(Value const& value, std::string_view text) {
+    auto const* const link = std::get_if<Link>(&value.form());
+    if (link != nullptr) return "[" + plain(text) + "](#" + link->id + ")";
+    return is_sentence(value) ? in_cell(text) : plain(text);
   }
   [[nodiscard]] std::string shown(Value const& value) const {
     auto const text = text_of(value, language_);

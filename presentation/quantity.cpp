@@ -20,8 +20,12 @@ constexpr Sentence radians{"rad", "rad"};
 constexpr Sentence percent{"%", "%"};
 constexpr Sentence micro_metres{"µm", "µm"};
 constexpr Sentence milli_metres{"mm", "mm"};
+constexpr Sentence velocity{"mm/s", "mm/s"};
 constexpr Sentence feed{"mm/min", "mm/min"};
+constexpr Sentence turning{"°/s", "°/s"};
+constexpr Sentence small_acceleration{"mm/s²", "mm/s²"};
 constexpr Sentence acceleration{"m/s²", "m/s²"};
+constexpr Sentence turning_faster{"°/s²", "°/s²"};
 
 }  // namespace axisc::presentation::says
 
@@ -47,8 +51,12 @@ constexpr std::array units{
     UnitRow{Unit::percent, says::percent, "_percent"},
     UnitRow{Unit::micrometre, says::micro_metres, "_um"},
     UnitRow{Unit::millimetre, says::milli_metres, "_mm"},
+    UnitRow{Unit::millimetre_per_second, says::velocity, "_mm_per_s"},
     UnitRow{Unit::millimetre_per_minute, says::feed, "_mm_per_min"},
+    UnitRow{Unit::degree_per_second, says::turning, "_deg_per_s"},
+    UnitRow{Unit::millimetre_per_second_squared, says::small_acceleration, "_mm_per_s2"},
     UnitRow{Unit::metre_per_second_squared, says::acceleration, "_m_per_s2"},
+    UnitRow{Unit::degree_per_second_squared, says::turning_faster, "_deg_per_s2"},
     UnitRow{Unit::byte, says::bytes, "_bytes"},
 };
 

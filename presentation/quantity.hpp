@@ -23,8 +23,12 @@ enum class Unit : std::uint8_t {
   percent,
   micrometre,
   millimetre,
+  millimetre_per_second,
   millimetre_per_minute,
+  degree_per_second,
+  millimetre_per_second_squared,
   metre_per_second_squared,
+  degree_per_second_squared,
   byte,
 };
 
@@ -52,6 +56,11 @@ struct Quantity {
   Unit unit = Unit::none;
   Digits digits = {};
 };
+
+/// A value that people see with all its digits.
+[[nodiscard]] constexpr Quantity exact(double value, Unit unit = Unit::none) {
+  return {.value = value, .unit = unit, .digits = Digits::exact()};
+}
 
 /// "13.8", in German "13,8"; "-" where there is no number, "∞" and "-∞" beyond all numbers.
 [[nodiscard]] std::string number_text(Quantity const& quantity, Language language);

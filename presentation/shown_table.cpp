@@ -12,11 +12,32 @@ namespace axisc::presentation {
 
 namespace {
 
-std::string heading_of(Column const& column, Language language) {
+std::string heading_of(Column const& column, Unit unit, Language language) {
   std::string text = text_of(column.label, language);
-  auto const unit = symbol(column.unit, language);
-  if (unit.empty()) return text;
-  return text.append(" [").append(unit).append("]");
+  auto const shown = symbol(unit, language);
+  if (shown.empty()) return text;
+  return text.append(" [").append(shown).append("]");
+}
+
+/// The one unit of all numbers of a column; the heading shows it.
+Unit unit_of(Table const& table, std::size_t column) {
+  auto unit = table.columns[column].unit;
+  for (auto const& row : table.rows) {
+    auto const& form = row[column].form();
+    auto const* const quantity = std::get_if<Quantity>(&form);
+    auto const* const numbers = std::get_if<Numbers>(&form);
+    if (quantity == nullptr && numbers == nullptr) continue;
+    auto const own = quantity != nullptr ? quantity->unit : numbers->unit;
+    if (unit == Unit::none) unit = own;
+    if (own != Unit::none && own != unit) return Unit::none;
+  }
+  return unit;
+}
+
+/// Nobody reads an empty column.
+bool has_cells(Table const& table, std::size_t column) {
+  return std::any_of(table.rows.begin(), table.rows.end(),
+                     [&](std::vector<Value> const& row) { return !row[column].is_blank(); });
 }
 
 /// Numbers, with gaps.
@@ -41,11 +62,13 @@ ShownTable shown_table(Table const& table, Language language) {
   }
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     auto const& column = table.columns[i];
-    if (!is_for_people(column.audience)) continue;
-    shown.headings.push_back(heading_of(column, language));
+    if (!is_for_people(column.audience) || !has_cells(table, i)) continue;
+    auto const unit = unit_of(table, i);
+    shown.columns.push_back(i);
+    shown.headings.push_back(heading_of(column, unit, language));
     shown.is_right.push_back(is_column_of_numbers(table, i));
     shown.is_head.push_back(column.is_head);
-    auto const units = column.unit == Unit::none ? Units::shown : Units::in_heading;
+    auto const units = unit == Unit::none ? Units::shown : Units::in_heading;
     for (std::size_t row = 0; row < rows; ++row) {
       auto const& value = table.rows[row][i];
       // In a row of many an empty place reads better than a dash.

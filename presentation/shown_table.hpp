@@ -14,6 +14,7 @@ namespace axisc::presentation {
 
 /// A table as people see it: headings with units, cells as text.
 struct ShownTable {
+  std::vector<std::size_t> columns;  ///< which of the table's; those without any value are left out
   std::vector<std::string> headings;
   std::vector<bool> is_right;  ///< columns of numbers
   std::vector<bool> is_head;   ///< see Column

@@ -1,5 +1,6 @@
 #include "diagnostics/terminal.hpp"
 #include "presentation/pictures/braille.hpp"
+#include "presentation/prose.hpp"
 #include "presentation/shown_table.hpp"
 #include "presentation/text_layout.hpp"
 #include "presentation/writers.hpp"
@@ -9,6 +10,12 @@
 namespace axisc::presentation {
 
 namespace {
+
+/// A terminal shows `code` as it is, but nothing in **bold**.
+std::string without_stars(std::string text) {
+  for (auto at = text.find("**"); at != std::string::npos; at = text.find("**", at)) text.erase(at, 2);
+  return text;
+}
 
 class TextWriter {
  public:
@@ -24,30 +31,28 @@ class TextWriter {
     std::size_t column = 0;
     std::vector<std::pair<std::string, std::string>> rows;
     for (auto const& field : facts.fields) {
-      if (!is_for_people(field.audience)) continue;
+      if (!is_for_people(field.audience) || field.value.is_blank()) continue;
       rows.emplace_back(text_of(field.label, options_.language), text_of(field.value, options_.language));
       column = std::max(column, display_width(rows.back().first));
     }
     column += 2;
     for (auto const& [label, value] : rows) {
-      std::string lines = wrapped(value, std::max(options_.width, column + narrowest) - column);
-      lines.pop_back();
       text_ += label;
-      text_.append(column - display_width(label), ' ');
-      for (char const byte : lines) {
-        text_ += byte;
-        if (byte == '\n') text_.append(column, ' ');
-      }
-      text_ += '\n';
+      text_.append(column - display_width(label), ' ').append(hanging(value, options_.width, column)) += '\n';
     }
   }
   void operator()(Table const& table) {
-    if (is_for_people(table.audience) && !table.rows.empty()) {
-      text_ += table_text(shown_table(table, options_.language), options_.width);
+    if (!is_for_people(table.audience) || table.rows.empty()) return;
+    auto const shown = shown_table(table, options_.language);
+    if (!shown.columns.empty()) {
+      if (ends_indented()) text_ += '\n';
+      text_ += table_text(shown, options_.width);
     }
+    for (auto const& section : table.details) (*this)(section);
   }
   void operator()(Paragraph const& paragraph) {
-    text_ += wrapped(text_of(paragraph.words, options_.language), options_.width);
+    if (ends_indented()) text_ += '\n';
+    text_ += wrapped(without_stars(text_of(paragraph.words, options_.language)), options_.width);
   }
   void operator()(Verbatim const& verbatim) {
     if (!is_for_people(verbatim.audience)) return;
@@ -58,32 +63,57 @@ class TextWriter {
       rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     }
   }
+  void operator()(Prose const& prose) {
+    for (auto const& block : blocks_of(prose, options_.language)) {
+      if (!text_.empty()) text_ += '\n';
+      std::visit(*this, block);
+    }
+  }
   void operator()(Picture const& picture) {
     text_ += pictures::braille(picture.figure, options_.width, options_.language);
   }
   void operator()(Section const& section) {
     if (!is_for_people(section.audience)) return;
-    if (section.title) {
-      if (!text_.empty()) text_ += '\n';
-      title(*section.title);
-    }
-    blocks(section.blocks);
+    if (!section.title) return blocks(section.blocks);
+    if (!text_.empty()) text_ += '\n';
+    auto inner = options_;
+    if (is_inside_) inner.width -= std::min(indent.size(), inner.width);
+    TextWriter writer(inner);
+    writer.is_inside_ = true;
+    writer.title(*section.title);
+    writer.blocks(section.blocks);
+    append(writer.text_);
   }
   void operator()(Sections const& sections) {
     for (auto const& section : sections.items) (*this)(section);
   }
 
  private:
-  static constexpr std::size_t narrowest = 20;  ///< of a value next to its label
+  static constexpr std::string_view indent = "  ";
 
+  /// Sections inside a section are indented.
+  void append(std::string_view lines) {
+    while (!lines.empty()) {
+      auto const line = lines.substr(0, lines.find('\n') + 1);
+      if (is_inside_ && line != "\n") text_ += indent;
+      text_ += line;
+      lines.remove_prefix(line.size());
+    }
+  }
   void title(Words const& words) { text_ += paint_(Style::strong, text_of(words, options_.language)) + "\n"; }
   void blocks(std::vector<Block> const& all) {
     for (auto const& block : all) std::visit(*this, block);
   }
+  /// As tables are.
+  [[nodiscard]] bool ends_indented() const {
+    if (text_.size() < 2) return false;
+    return text_[text_.rfind('\n', text_.size() - 2) + 1] == ' ';
+  }
 
-  WriterOptions const& options_;
+  WriterOptions options_;
   Painter paint_;
   std::string text_;
+  bool is_inside_ = false;  ///< of a section with a title
 };
 
 }  // namespace

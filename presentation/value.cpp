@@ -1,18 +1,22 @@
 #include "presentation/value.hpp"
 
-#include "diagnostics/message.hpp"
 #include "diagnostics/terminal.hpp"
+
+#include <algorithm>
 
 namespace axisc::presentation::says {
 
 constexpr Sentence yes{"yes", "ja"};
 constexpr Sentence no{"no", "nein"};
+constexpr Sentence and_more{"{numbers} and {count} more", "{numbers} und {count} weitere"};
 
 }  // namespace axisc::presentation::says
 
 namespace axisc::presentation {
 
 namespace {
+
+constexpr std::size_t most_numbers = 6;
 
 struct TextForm {
   Language language;
@@ -36,6 +40,24 @@ struct TextForm {
     for (auto const& name : names) (text += text.empty() ? "" : ", ") += printable(name);
     return text.empty() ? "-" : text;
   }
+  std::string operator()(Numbers const& numbers) const {
+    auto const& [values, unit, digits] = numbers;
+    auto const count = std::min(values.size(), most_numbers);
+    // A comma is the German decimal sign.
+    std::string const separator = language == Language::german ? "; " : ", ";
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) {
+      bool const is_last = i + 1 == count;
+      text += (i == 0 ? std::string() : separator) +
+              (*this)(Quantity{.value = values[i], .unit = is_last ? unit : Unit::none, .digits = digits});
+    }
+    if (count < values.size()) {
+      return text_of(Words(says::and_more, {{"numbers", text}, {"count", values.size() - count}}), language);
+    }
+    return text.empty() ? "-" : text;
+  }
+  std::string operator()(Wording const& wording) const { return printable(wording.in(language)); }
+  std::string operator()(Link const& link) const { return (*this)(link.text); }
 };
 
 }  // namespace
@@ -43,11 +65,29 @@ struct TextForm {
 Words::Words(Sentence const& only) : sentence(only) {}
 Words::Words(SentenceRef only) : sentence(only) {}
 Words::Words(SentenceRef with, std::vector<NamedValue> filled) : sentence(with), values(std::move(filled)) {}
+Words::Words(Message const& message) : sentence(message.sentence) {
+  for (auto const& [name, value] : message.arguments) values.push_back({name, value});
+}
 Words::Words(Words const& other) = default;
 Words::Words(Words&& other) noexcept = default;
 Words& Words::operator=(Words const& other) = default;
 Words& Words::operator=(Words&& other) noexcept = default;
 Words::~Words() = default;
+
+Words as_given(Value text) {
+  return {axisc::says::as_given, {{"text", std::move(text)}}};
+}
+
+bool Value::is_blank() const {
+  return std::visit(
+      []<class Form>(Form const& form) {
+        if constexpr (requires { form.empty(); }) return form.empty();
+        if constexpr (requires { form.reason; }) return !form.reason;
+        if constexpr (std::same_as<Form, Numbers>) return form.values.empty();
+        return false;
+      },
+      form_);
+}
 
 std::string text_of(Value const& value, Language language, Units units) {
   return std::visit(TextForm{.language = language, .units = units}, value.form());
@@ -56,9 +96,10 @@ std::string text_of(Value const& value, Language language, Units units) {
 std::string text_of(Words const& words, Language language) {
   Message message{.sentence = words.sentence, .arguments = {}};
   for (auto const& [name, value] : words.values) {
-    message.arguments.push_back({name, text_of(value, language)});
+    auto const* const wording = std::get_if<Wording>(&value.form());
+    message.arguments.push_back({name, wording != nullptr ? *wording : text_of(value, language)});
   }
-  return render(message, language, Values::as_given);
+  return render(message, language, Values::printable);
 }
 
 }  // namespace axisc::presentation

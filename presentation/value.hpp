@@ -2,6 +2,7 @@
 // written.
 #pragma once
 
+#include "diagnostics/message.hpp"
 #include "presentation/quantity.hpp"
 
 #include <concepts>
@@ -26,6 +27,7 @@ struct Words {
   Words(Sentence const& only);
   Words(SentenceRef only);
   Words(SentenceRef with, std::vector<NamedValue> filled);
+  Words(Message const& message);
   // In the source, where the values' type is complete.
   Words(Words const& other);
   Words(Words&& other) noexcept;
@@ -47,10 +49,24 @@ struct Symbol {
 
 using Names = std::vector<std::string>;
 
+/// In JSON an array; people see the first of many.
+struct Numbers {
+  std::vector<double> values;
+  Unit unit = Unit::none;
+  Digits digits = {};
+};
+
+/// A text that leads to the section of that id.
+struct Link {
+  std::string text;
+  std::string id;
+};
+
 /// The content of a field or a cell. Texts are foreign, names and the like: people see their printable form.
 class Value {
  public:
-  using Form = std::variant<Nothing, bool, std::int64_t, Quantity, std::string, Symbol, Words, Names>;
+  using Form = std::variant<Nothing, bool, std::int64_t, Quantity, std::string, Symbol, Words, Names, Numbers,
+                            Wording, Link>;
 
   Value() = default;
   Value(Nothing nothing) : form_(std::move(nothing)) {}
@@ -62,6 +78,9 @@ class Value {
   Value(Symbol symbol) : form_(std::move(symbol)) {}
   Value(Words words) : form_(std::move(words)) {}
   Value(Names names) : form_(std::move(names)) {}
+  Value(Numbers numbers) : form_(std::move(numbers)) {}
+  Value(Wording wording) : form_(std::move(wording)) {}
+  Value(Link link) : form_(std::move(link)) {}
   template <std::integral Number>
   Value(Number number) {
     if constexpr (std::same_as<Number, bool>) {
@@ -77,11 +96,8 @@ class Value {
     return std::holds_alternative<Quantity>(form_) || std::holds_alternative<std::int64_t>(form_);
   }
   [[nodiscard]] bool is_nothing() const { return std::holds_alternative<Nothing>(form_); }
-  /// Nothing, and no reason to show.
-  [[nodiscard]] bool is_blank() const {
-    auto const* const nothing = std::get_if<Nothing>(&form_);
-    return nothing != nullptr && !nothing->reason;
-  }
+  /// Nothing, and no reason to show, or a text or list without anything in it.
+  [[nodiscard]] bool is_blank() const;
 
  private:
   Form form_;
@@ -92,6 +108,9 @@ struct NamedValue {
   std::string_view name;
   Value value;
 };
+
+/// A text that is the same in both languages, where a sentence is wanted.
+[[nodiscard]] Words as_given(Value text);
 
 enum class Units : std::uint8_t {
   shown,

@@ -1,10 +1,12 @@
-#include "axisc/answers/inspect/inspect_formats.hpp"
+#include "axisc/answers/inspect/inspect_answer.hpp"
 #include "axisc/environment/codes.hpp"
 #include "axisc/files/image_file.hpp"
 #include "axisc/files/key_file.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/output/answer_output.hpp"
+#include "image/signature.hpp"
 
 namespace axisc::cli::says {
 
@@ -22,12 +24,9 @@ constexpr Sentence signature{
     "{file} wurde verändert, nachdem es mit Schlüssel {key} signiert war ({status}); neu kopieren oder neu "
     "übersetzen und signieren"};
 
-constexpr Sentence stripped{"{file} was compiled with --strip: it does not contain its lists",
-                            "{file} wurde mit --strip übersetzt: das Abbild enthält seine Listen nicht"};
 constexpr Sentence option_public_key{
     "check the signature with this public key; exit status 2 if it is not valid",
     "die Signatur mit diesem öffentlichen Schlüssel prüfen; Rückgabewert 2, wenn sie nicht gültig ist"};
-constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
 constexpr Sentence option_axis{"only this axis", "nur diese Achse"};
 constexpr Sentence option_as_list{"write the lists back, with the origin of each value as a comment",
                                   "die Listen zurückschreiben, mit der Herkunft jedes Werts als Kommentar"};
@@ -42,18 +41,6 @@ constexpr Sentence option_memory{
 namespace axisc::cli {
 
 namespace {
-
-enum class Format : std::uint8_t { text, json };
-/// Levels, and nothing.
-enum class Target : std::uint32_t {
-  host = AXISRT_LEVEL_AUTOMATIC,
-  portable = AXISRT_LEVEL_PORTABLE,
-  x86_64_v2 = AXISRT_LEVEL_X86_64_V2,
-  x86_64_v3 = AXISRT_LEVEL_X86_64_V3,
-  x86_64_v4 = AXISRT_LEVEL_X86_64_V4,
-  aarch64 = AXISRT_LEVEL_NEON,
-  none
-};
 
 /// Failure if the signature is not valid for this key.
 void require_signature(std::string const& path, ImageFile const& file, std::string const& key_path) {
@@ -76,49 +63,34 @@ void require_signature(std::string const& path, ImageFile const& file, std::stri
 }  // namespace
 
 ExitStatus inspect(Invocation const& invocation) {
-  std::optional<std::string> path;
-  std::optional<std::string> axis;
-  std::optional<std::string> key;
-  Format format = Format::text;
-  Target target = Target::none;
+  std::optional<std::string> path, key;
+  InspectQuestion question;
+  auto format = presentation::Format::text;
   bool as_list = false;
   CommandLine command_line("inspect", invocation.language);
   command_line.argument("IMAGE.axim", path, says::argument_image);
-  command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, format,
-                      says::option_format);
-  command_line.value("--axis", "NAME", axis, says::option_axis);
+  declare_format(command_line, format);
+  command_line.value("--axis", "NAME", question.axis, says::option_axis);
   command_line.flag("--as-list", as_list, says::option_as_list);
   command_line.value("--key", "KEY.pub", key, says::option_public_key);
-  command_line.choice("--memory",
-                      {{"host", Target::host},
-                       {"portable", Target::portable},
-                       {"x86-64-v2", Target::x86_64_v2},
-                       {"x86-64-v3", Target::x86_64_v3},
-                       {"x86-64-v4", Target::x86_64_v4},
-                       {"aarch64", Target::aarch64}},
-                      target, says::option_memory);
+  command_line.choice<std::optional<std::uint32_t>>("--memory",
+                                                    {{"host", AXISRT_LEVEL_AUTOMATIC},
+                                                     {"portable", AXISRT_LEVEL_PORTABLE},
+                                                     {"x86-64-v2", AXISRT_LEVEL_X86_64_V2},
+                                                     {"x86-64-v3", AXISRT_LEVEL_X86_64_V3},
+                                                     {"x86-64-v4", AXISRT_LEVEL_X86_64_V4},
+                                                     {"aarch64", AXISRT_LEVEL_NEON}},
+                                                    question.level, says::option_memory);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(path.has_value(), "IMAGE.axim");
+  question.image = *path;
   auto const file = load_image(*path);
   if (key) require_signature(*path, file, *key);
-  Shown shown{.file = *path,
-              .image = file.contents,
-              .axes = chosen_axes(file.contents, axis),
-              .signer = image::signer(file.bytes.bytes()),
-              .signature_checked = key.has_value(),
-              .memory = std::nullopt};
-  if (target != Target::none) {
-    shown.memory = image::runtime_memory(file.bytes.bytes(), static_cast<std::uint32_t>(target));
-  }
-  if (!as_list) shown.figures = image::chain_figures(file.bytes.bytes(), file.contents, shown.axes);
+  question.is_checked = key.has_value();
   if (as_list) {
-    if (file.contents.lists.empty()) {
-      throw Failure({.sentence = says::stripped, .arguments = {{"file", *path}}});
-    }
-    invocation.streams.out.write(inspect_as_list(shown, invocation.language));
+    invocation.streams.out.write(inspect_as_list(question, file.contents, invocation.language));
   } else {
-    invocation.streams.out.write(format == Format::json ? inspect_json(shown)
-                                                        : inspect_text(shown, invocation.language));
+    print(inspect_answer(question, file), format, invocation, command_line);
   }
   return ExitStatus::success;
 }

@@ -1,4 +1,4 @@
-#include "axisc/answers/machine/machine_formats.hpp"
+#include "axisc/answers/machine/machine_answer.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "axisc/workspace/inputs.hpp"
 #include "cli/commands/commands.hpp"
@@ -6,14 +6,13 @@
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/sentences.hpp"
+#include "cli/output/answer_output.hpp"
 
 #include <algorithm>
 #include <variant>
 
 namespace axisc::cli::says {
 
-constexpr Sentence option_format{"output format (default: text); json is a machine file",
-                                 "Ausgabeformat (Standardwert: text); json ist eine Maschinendatei"};
 constexpr Sentence argument_machine{"a folder, a start-up list, a TwinCAT project, a machine file, or a list",
                                     "ein Ordner, eine Hochlaufliste, ein TwinCAT-Projekt, eine "
                                     "Maschinendatei oder eine Liste"};
@@ -29,21 +28,14 @@ constexpr Sentence lists_in_project{
 
 namespace axisc::cli {
 
-namespace {
-
-enum class Format : std::uint8_t { text, json };
-
-}  // namespace
-
 ExitStatus machine(Invocation const& invocation) {
   std::optional<std::string> input;
   std::optional<std::string> cycle_time;
-  Format format = Format::text;
+  auto format = presentation::Format::text;
   CommandLine command_line("machine", invocation.language);
   command_line.argument("INPUT", input, says::argument_machine);
   command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);
-  command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, format,
-                      says::option_format);
+  declare_format(command_line, format);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(input.has_value(), "INPUT");
   auto const path = machine_input(*input);
@@ -59,15 +51,16 @@ ExitStatus machine(Invocation const& invocation) {
   bool const is_project = std::any_of(machine.lists.begin(), machine.lists.end(), [&](auto const& named) {
     return sources[named.list.source].is_window();
   });
-  if (is_project && format == Format::json) {
+  if (is_project && format == presentation::Format::json) {
     throw Failure({.sentence = says::lists_in_project, .arguments = {{"file", path}}});
   }
-  if (format == Format::json) {
-    invocation.streams.err.write(machine_lacks(machine, sources, invocation.language));
-    invocation.streams.out.write(machine_json(machine, sources));
-  } else {
-    invocation.streams.out.write(machine_text(machine, sources, invocation.language));
+  bool const is_read_by_programs =
+      format == presentation::Format::json || format == presentation::Format::csv;
+  for (auto const& [place, reason] :
+       is_read_by_programs ? lacks_of(machine, sources) : std::vector<MachineLack>()) {
+    invocation.streams.err.write(place + ": " + text_of(reason, invocation.language) + "\n");
   }
+  print(machine_answer(machine, sources), format, invocation, command_line);
   return machine.complete ? ExitStatus::success : ExitStatus::findings;
 }
 

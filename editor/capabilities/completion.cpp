@@ -1,10 +1,11 @@
 #include "editor/capabilities/completion.hpp"
 
-#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/answers/explain/explain_answer.hpp"
 #include "diagnostics/ascii.hpp"
 #include "editor/capabilities/completion_items.hpp"
 #include "editor/meaning/program_help.hpp"
 #include "editor/reading/open_machines.hpp"
+#include "presentation/writers.hpp"
 #include "schema/descriptions/description.hpp"
 #include "schema/indexed_name.hpp"
 
@@ -86,8 +87,10 @@ Json resolve_completion(OpenMachines& machines, Json const& params) {
       std::find_if(rows.begin(), rows.end(), [&name](auto const& known) { return known.name == name; });
   if (row == rows.end()) return item;
   if (machines.client().markdown_in_completion) {
-    item["documentation"] = {{"kind", "markdown"},
-                             {"value", explain_parameter(catalogue, *row, machines.language())}};
+    item["documentation"] = {
+        {"kind", "markdown"},
+        {"value", write(parameter_answer(catalogue, *row), presentation::Format::markdown,
+                        {.language = machines.language()})}};
   } else {
     item["documentation"] = schema::description_of(*row).what.in(machines.language());
   }

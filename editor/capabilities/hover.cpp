@@ -1,12 +1,13 @@
 #include "editor/capabilities/hover.hpp"
 
-#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/answers/explain/explain_answer.hpp"
 #include "diagnostics/location.hpp"
 #include "editor/meaning/filter_figures.hpp"
 #include "editor/meaning/parameter_number.hpp"
 #include "editor/meaning/program_help.hpp"
 #include "editor/reading/open_machines.hpp"
 #include "editor/reading/places.hpp"
+#include "presentation/writers.hpp"
 #include "schema/descriptions/description.hpp"
 #include "validator/loading/loader.hpp"
 #include "validator/views/units_text.hpp"
@@ -100,12 +101,14 @@ Json hover(OpenMachines& machines, Json const& params) {
     return Json{{"contents", {{"kind", markdown ? "markdown" : "plaintext"}, {"value", std::move(text)}}},
                 {"range", machines.range(asked, begin, end)}};
   };
+  auto const format = markdown ? presentation::Format::markdown : presentation::Format::text;
   if (auto const number = parameter_number_at(asked.text, offset)) {
     std::string text;
     auto const catalogue = number->kind == schema::ListKind::axis ? machines.options()(asked.path).catalogue
                                                                   : schema::Catalogue::of(number->kind);
     for (auto const id : catalogue.find_number(number->number)) {
-      text += (text.empty() ? "" : "\n") + explain_parameter(catalogue, catalogue.parameter(id), language);
+      text += (text.empty() ? "" : "\n") +
+              write(parameter_answer(catalogue, catalogue.parameter(id)), format, {.language = language});
     }
     if (!text.empty()) return answer(std::move(text), number->begin, number->end);
   }
@@ -121,7 +124,7 @@ Json hover(OpenMachines& machines, Json const& params) {
   auto const found = list.find(name);
   if (found.row == nullptr) return nullptr;
   if (touches(line->name, offset)) {
-    auto text = explain_parameter(list.catalogue(), *found.row, language);
+    auto text = write(parameter_answer(list.catalogue(), *found.row), format, {.language = language});
     if (found.status == schema::NameLookup::Status::found) {
       text += effective_text(list, found.slot, line->line, language);
       text += filter_figures(list, name, markdown, language);

@@ -1,10 +1,9 @@
 #include "editor/capabilities/pages.hpp"
 
-#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/figures/plots.hpp"
 #include "axisc/answers/figures/script_digest.hpp"
-#include "axisc/answers/machine/machine_formats.hpp"
-#include "axisc/answers/report/html.hpp"
+#include "axisc/answers/machine/machine_answer.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/asked/finding_codes.hpp"
 #include "axisc/checking/compilable.hpp"
@@ -14,7 +13,7 @@
 #include "diagnostics/format_number.hpp"
 #include "editor/reading/requests.hpp"
 #include "presentation/pictures/page.hpp"
-#include "presentation/pictures/svg_text.hpp"
+#include "presentation/writers.hpp"
 #include "validator/engine/rule.hpp"
 #include "validator/loading/loader.hpp"
 
@@ -172,15 +171,6 @@ class PagesOfMachine {
   std::optional<image::RuntimeHost> host_;
 };
 
-/// `body` is HTML.
-Page whole_page(std::string const& title, std::string const& body, Language language) {
-  return {.title = title,
-          .html = "<!doctype html>\n<html lang=\"" + std::string(language == Language::german ? "de" : "en") +
-                  "\">\n<head><meta charset=\"utf-8\"><title>" + pictures::escaped(title) +
-                  "</title>\n<style>" + pictures::page_style() +
-                  "pre {white-space: pre-wrap}</style></head>\n<body>" + body + "</body>\n</html>\n"};
-}
-
 Page machine_page(PageSubject const& subject) {
   auto const language = subject.language;
   SourceSet sources;
@@ -191,8 +181,8 @@ Page machine_page(PageSubject const& subject) {
   }
   auto const name = std::string(validator::file_name(subject.machine));
   auto const title = say(says::title_machine, language, {{"machine", name}});
-  auto const text = machine_text(std::get<validator::LoadedMachine>(loaded), sources, language);
-  return whole_page(title, text_of("h1", title) + "\n" + text_of("pre", text), language);
+  auto const answer = machine_answer(std::get<validator::LoadedMachine>(loaded), sources);
+  return {.title = title, .html = write(answer, presentation::Format::html, {.language = language})};
 }
 
 Page explanation_page(PageSubject const& subject) {
@@ -203,7 +193,8 @@ Page explanation_page(PageSubject const& subject) {
   if (rule == nullptr) {
     throw RequestRefused(say(says::unknown_rule, language, {{"code", word}}));
   }
-  return whole_page(code_text(rule->code), html_of_markdown(explain_rule(*rule, 1, language), 0), language);
+  return {.title = code_text(rule->code),
+          .html = write(rule_answer(*rule), presentation::Format::html, {.language = language})};
 }
 
 /// The client shows why an input fails.

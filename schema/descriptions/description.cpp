@@ -1,6 +1,7 @@
 #include "schema/descriptions/description.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -44,7 +45,34 @@ Page page(PageRow const& row) {
   return {.english = text(row.english), .german = text(row.german)};
 }
 
+struct ManualRow {
+  std::string_view beginning;  ///< of names
+  Page section;
+};
+
+constexpr Page position_control{"Improved Position Control, section 4.2",
+                                "Optimierte Lageregelung, Abschnitt 4.2"};
+
+/// The first that fits counts.
+constexpr std::array manuals = {
+    ManualRow{"filter_fir.", {"FIR filters, section 6.2", "FIR-Filter, Abschnitt 6.2"}},
+    ManualRow{"filter[", {"Axis filters, section 3.2", "Achsfilter, Abschnitt 3.2"}},
+    ManualRow{"lr_param.add_interface.", {"Axis filters, section 3.3", "Achsfilter, Abschnitt 3.3"}},
+    ManualRow{"lr_param.improved_position_control.", position_control},
+    ManualRow{"antr.v_reso_", position_control},
+    ManualRow{"antr.v_time_base", position_control},
+    ManualRow{"getriebe[].multi_gain_", position_control},
+};
+
 }  // namespace
+
+Page manual_section(Parameter const& parameter) {
+  if (parameter.kind != ListKind::axis) return {};
+  auto const found = std::find_if(manuals.begin(), manuals.end(), [&](ManualRow const& row) {
+    return parameter.name.starts_with(row.beginning);
+  });
+  return found == manuals.end() ? Page{} : found->section;
+}
 
 Description description_of(Parameter const& parameter) {
   if (parameter.kind != ListKind::axis) return {};

@@ -25,8 +25,11 @@ struct Description {
   bool restart = false;
 };
 
-/// For a parameter of a schema file that of the built-in one of its name; otherwise empty, as for parameters
-/// of other kinds of lists.
+/// Where the manuals describe it: "Axis filters, section 3.2"; empty for parameters outside the filters.
+[[nodiscard]] Page manual_section(Parameter const& parameter);
+
+/// For a parameter of a schema file that of the built-in one of its name; otherwise empty, as for
+/// parameters of other kinds of lists.
 [[nodiscard]] Description description_of(Parameter const& parameter);
 
 }  // namespace axisc::schema

@@ -52,7 +52,7 @@ bool is_written_so(std::string const& line) {
 std::vector<std::string> lines_with_points(std::string const& text) {
   static std::regex const code("`[^`]*`|#FILTER[^\\]]*\\]|P-AXIS-[0-9]+\\.[0-9]+");
   static std::regex const number(R"((^|[^\w.:=/,])[-+]?\d+\.\d+(?!\w|\.\w))");
-  static std::regex const version(R"((Format|Abschnitt|axisc) \d+\.\d+)");
+  static std::regex const version(R"((Format|Abschnitt|axisc) +\d+\.\d+)");
   std::vector<std::string> found;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {

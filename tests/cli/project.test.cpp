@@ -154,8 +154,8 @@ TEST_CASE("each axis says to which channel it belongs where no channel list does
                "<P><Channel><ItemName>Mill</ItemName><SdaMds><![CDATA[spdl_anzahl 0\n]]></SdaMds></Channel>" +
                    axis("1", "1", "X1") + axis("2", "1", "Y1") + axis("3", "2", "Z2") + "</P>");
   auto const outcome = run_axisc({"machine", "a.tsproj"}, in_folder(folder.path()));
-  CHECK(outcome.out.find("channel Mill: X1, Y1\n") != std::string::npos);
-  CHECK(outcome.out.find("channel 2: Z2\n") != std::string::npos);
+  CHECK(outcome.out.find("  Mill     X1, Y1\n") != std::string::npos);
+  CHECK(outcome.out.find("  2        Z2\n") != std::string::npos);
 }
 
 TEST_CASE("a list of another kind and another cycle time are told in words of a project") {

@@ -28,8 +28,48 @@ inline constexpr Sentence limit{
     "ein Achsfehler von {tolerance} wird an der Ecke bis {feed} eingehalten, und jedes Wort dieses Satzes "
     "ist da, damit "
     "er umgebrochen wird"};
+inline constexpr Sentence filters{"filters", "Filter"};
+inline constexpr Sentence page{"page", "Seite"};
+inline constexpr Sentence long_label{"largest gain of the chain", "größte Verstärkung der Kette"};
+inline constexpr Sentence empty{"never shown", "nie zu sehen"};
+inline constexpr Sentence zeros{"no gain at", "keine Verstärkung bei"};
+inline constexpr Sentence remark{"remark", "Bemerkung"};
 
 }  // namespace says
+
+/// Rows that have more to tell, below a title that links lead to.
+inline presentation::Section example_of_details() {
+  using namespace presentation;
+  Table filters{.key = "filters", .columns = {}, .rows = {}};
+  for (int i = 0; i < 2; ++i) {
+    std::string const name = "filter[" + std::to_string(i) + "]";
+    std::vector<double> const zeros{12.5, 25, 37.5, 50, 62.5, 75, 87.5, 100};
+    add_row(filters, {{"name", says::filters, Link{.text = name, .id = "page"}},
+                      data("index", i),
+                      {"gain", says::long_label, exact(1.25 * i)},
+                      shown(says::long_label, exact(1.25 * i, Unit::decibel)),
+                      {"unused", says::empty, Nothing{}},
+                      {"zeros_hz", says::zeros, Numbers{.values = zeros, .unit = Unit::hertz}},
+                      {"remark", says::remark,
+                       Wording("a sentence that has room in this column on "
+                               "several lines only, as it is the last one",
+                               "ein Satz, der in dieser Spalte nur auf mehreren "
+                               "Zeilen Platz hat, weil sie die letzte ist")}});
+    Table sections{.key = "sections", .columns = {}, .rows = {}};
+    add_row(sections, {{"b0", as_given("b0"), exact(0.5)}, {"a1", as_given("a1"), exact(-0.5)}});
+    filters.details.push_back({.key = {},
+                               .title = as_given(name),
+                               .blocks = {Facts{{{"samples", says::kind, 32}}}, std::move(sections)}});
+  }
+  Prose const page{.key = "page",
+                   .markdown = Wording("**Repair:** write `a < b`.\n\n```\nfilter[0].order 2\n```\n\n"
+                                       "| case | reading |\n|---|---|\n| `0x` | 0 |\n",
+                                       "**Abhilfe:** `a < b` schreiben.\n")};
+  return {.key = "chain",
+          .title = says::filters,
+          .blocks = {std::move(filters),
+                     Section{.key = {}, .title = says::page, .blocks = {page}, .id = "page"}}};
+}
 
 inline presentation::Document example_document() {
   using namespace presentation;
@@ -76,8 +116,8 @@ inline presentation::Document example_document() {
                   {.key = "synchronous", .label = says::synchronous, .value = false},
                   {.key = "type", .label = says::kind, .value = Symbol{.symbol = "R", .words = says::rotary}},
                   data("image_version", 7)}},
-           Sections{.key = "groups", .items = {std::move(channel)}},
-           Sections{.key = "gantries", .items = {}}},
+           Sections{.key = "groups", .items = {std::move(channel)}}, Sections{.key = "gantries", .items = {}},
+           example_of_details()},
       .csv_table = "table"};
 }
 

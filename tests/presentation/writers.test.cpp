@@ -34,8 +34,12 @@ TEST_CASE("a document is written in every format and both languages") {
 }
 
 TEST_CASE("JSON has the values as they were computed, in every language") {
-  auto const json = nlohmann::json::parse(written(Format::json, Language::german));
-  CHECK(json == nlohmann::json::parse(written(Format::json)));
+  auto json = nlohmann::json::parse(written(Format::json, Language::german));
+  auto const english = nlohmann::json::parse(written(Format::json));
+  // Sentences are in the reader's language.
+  for (auto& filter : json["chain"]["filters"]) filter["remark"] = english["chain"]["filters"][0]["remark"];
+  json["chain"]["page"] = english["chain"]["page"];
+  CHECK(json == english);
   CHECK(json["version"] == 2);
   CHECK(json["axes"][0] == "X");
   CHECK(json["type"] == "R");
@@ -45,6 +49,9 @@ TEST_CASE("JSON has the values as they were computed, in every language") {
   CHECK(json["groups"][0]["table"][1]["axis_error_um"]["X"].is_null());
   CHECK(json["groups"][0]["table"][1]["axis_error_um"].size() == 2);
   CHECK(json["gantries"].is_array());
+  CHECK(json["chain"]["filters"][1]["zeros_hz"].size() == 8);
+  CHECK(json["chain"]["filters"][1]["unused"].is_null());
+  CHECK(json["chain"]["filters"][1]["sections"][0]["a1"] == -0.5);
 }
 
 TEST_CASE("CSV begins with what tells the sections apart, and every row has all columns") {
@@ -55,6 +62,41 @@ TEST_CASE("CSV begins with what tells the sections apart, and every row has all 
   std::string first;
   std::getline(lines, first);
   CHECK(first == "K1,4000,corner,191.58149999,-0.0004");
+}
+
+TEST_CASE("CSV has sections of an array as rows, and a table that only people see elsewhere") {
+  auto document = test::example_document();
+  Sections rules{.key = "rules", .items = {}};
+  for (std::string const code : {"AX1001", "AX1002"}) {
+    rules.items.push_back({.key = {},
+                           .title = as_given(code),
+                           .blocks = {Facts{{data("page", code + ", a page"), shown(as_given("x"), 1)}},
+                                      data_section("limit", {data("open", true)})},
+                           .identity = {data("code", code)}});
+  }
+  document.blocks.emplace_back(std::move(rules));
+  Table people{.key = "people", .columns = {}, .rows = {}, .audience = Audience::people};
+  add_row(people, {{"axis", as_given("axis"), "X"}});
+  document.blocks.emplace_back(std::move(people));
+  auto const csv = [&](std::string table) {
+    document.csv_table = std::move(table);
+    return write(document, Format::csv, {.language = Language::english});
+  };
+  CHECK(csv("rules") ==
+        "code,page,limit.open\nAX1001,\"AX1001, a page\",true\nAX1002,\"AX1002, a page\",true\n");
+  CHECK(csv("people") == "axis\nX\n");
+}
+
+TEST_CASE("JSON without a version is a file of another kind") {
+  Document const file{.version = 0, .title = as_given("x"), .blocks = {Facts{{data("machine", "m")}}}};
+  CHECK(write(file, Format::json, {.language = Language::english}) == "{\n  \"machine\": \"m\"\n}\n");
+}
+
+TEST_CASE("names stay readable in Markdown") {
+  Facts const facts{{{"a", as_given("a"), "filter[0].fg_f0"}, {"b", as_given("b"), "_x_ [y](z)"}}};
+  Document const names{.version = 1, .title = as_given("x"), .blocks = {facts}};
+  CHECK(write(names, Format::markdown, {.language = Language::english}) ==
+        "# x\n\n- a: filter[0].fg_f0\n- b: \\_x\\_ [y\\](z)\n");
 }
 
 TEST_CASE("text fits the width") {

@@ -86,6 +86,24 @@ std::string raw_unit_name(std::string_view unit) {
   return text;
 }
 
+Wording unit_name(std::string_view unit) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> powers = {
+      {{"1e-4 ", "0.0001 "}, {"1e-3 ", "0.001 "}, {"1e3 ", "1000 "}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> german_words = {
+      {{"cycle", "Zyklen"}, {"increment", "Inkremente"}, {"rev", "Umdrehung"}}};
+  auto text = raw_unit_name(unit);
+  for (auto const& [power, digits] : powers) {
+    if (text.starts_with(power)) text.replace(0, power.size(), digits);
+  }
+  auto german = Wording::number(text).in(Language::german);
+  for (auto const& [word, translated] : german_words) {
+    if (auto const at = german.find(word); at != std::string::npos) {
+      german.replace(at, word.size(), translated);
+    }
+  }
+  return {text, german};
+}
+
 Wording number_name(schema::Parameter const& parameter, schema::Symbol const& name) {
   std::string const english(name.word);
   std::string const number = name.number ? std::to_string(*name.number) : std::string();

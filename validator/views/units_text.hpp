@@ -23,6 +23,9 @@ namespace axisc::validator {
 /// The unit of the raw number in print: "µm/s" for "um/s", "0.1 µm" for "0.1 um".
 [[nodiscard]] std::string raw_unit_name(std::string_view unit);
 
+/// raw_unit_name() without powers of ten: "0.0001 °", in German "0,0001 °".
+[[nodiscard]] Wording unit_name(std::string_view unit);
+
 /// One of the parameter's number_names; in German as the descriptions have it.
 [[nodiscard]] Wording number_name(schema::Parameter const& parameter, schema::Symbol const& name);
 

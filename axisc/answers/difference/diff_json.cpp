@@ -1,9 +1,9 @@
 #include "axisc/answers/difference/diff_formats.hpp"
-#include "axisc/answers/explain/parameter_facts.hpp"
 #include "axisc/answers/json_text.hpp"
 #include "image/image_readings.hpp"
 #include "schema/data_type.hpp"
 #include "schema/descriptions/description.hpp"
+#include "validator/views/units_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -46,7 +46,8 @@ ordered_json value_json(ComparedValue const& value) {
 
 ordered_json parameter_json(ParameterChange const& change, Language language) {
   auto const& row = *change.row;
-  auto const default_json = row.has_default ? ordered_json(default_text(row)) : ordered_json(nullptr);
+  auto const default_json =
+      row.has_default ? ordered_json(validator::default_text(row)) : ordered_json(nullptr);
   return {{"name", change.name},
           {"before", value_json(change.before)},
           {"after", value_json(change.after)},

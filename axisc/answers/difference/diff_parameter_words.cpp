@@ -1,8 +1,8 @@
 #include "axisc/answers/difference/diff_words.hpp"
-#include "axisc/answers/explain/parameter_facts.hpp"
 #include "diagnostics/format_number.hpp"
 #include "schema/data_type.hpp"
 #include "schema/descriptions/description.hpp"
+#include "validator/views/units_text.hpp"
 
 namespace axisc::says {
 
@@ -21,7 +21,8 @@ namespace {
 
 /// In plain numbers; of a switch as lists write it.
 std::string default_of(schema::Parameter const& row, ComparedValue const& value) {
-  return row.type == schema::DataType::boolean ? format_exact(value.value.number) : default_text(row);
+  return row.type == schema::DataType::boolean ? format_exact(value.value.number)
+                                               : validator::default_text(row);
 }
 
 /// What a number or symbol of the parameter stands for; empty where the catalogue does not tell.
@@ -45,7 +46,7 @@ std::string meaning_of_value(ParameterChange const& change, ComparedValue const&
 
 DiffParameter DiffWords::parameter(ParameterChange const& change) const {
   DiffLine line{change.name, value(change, change.before), value(change, change.after)};
-  if (!change.unit.empty()) line.after += " " + unit_name(change.unit, language_);
+  if (!change.unit.empty()) line.after += " " + validator::unit_name(change.unit).in(language_);
   return {.line = std::move(line),
           .meaning = meaning(change),
           .restart =

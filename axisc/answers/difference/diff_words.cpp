@@ -1,6 +1,5 @@
 #include "axisc/answers/difference/diff_words.hpp"
 
-#include "axisc/answers/sentences.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -22,6 +21,7 @@ constexpr Sentence translatory{"translatory", "translatorisch"};
 constexpr Sentence rotary{"rotary", "rotatorisch"};
 constexpr Sentence spindle{"spindle", "Spindel"};
 constexpr Sentence channel{"channel {name}", "Kanal {name}"};
+constexpr Sentence nc_cycle_time{"NC cycle time", "NC-Zykluszeit"};
 constexpr Sentence channel_axes{"axes", "Achsen"};
 constexpr Sentence channel_spindles{"spindles", "Spindeln"};
 constexpr Sentence channel_couplings{"coupled (slave = master)", "gekoppelt (Slave = Master)"};
@@ -124,7 +124,7 @@ std::string DiffWords::nothing(std::string const& before, std::string const& aft
 std::vector<DiffLine> DiffWords::machine() const {
   auto const& difference = shown_.difference;
   std::vector<DiffLine> lines;
-  add_line(lines, say(says::inspect_cycle_time), cycle_time(difference.before.cycle_time, language_),
+  add_line(lines, say(says::nc_cycle_time), cycle_time(difference.before.cycle_time, language_),
            cycle_time(difference.after.cycle_time, language_));
   for (auto const* const axis : difference.axes_removed) {
     lines.push_back({say(says::axis, {{"axis", axis_name(*axis, *axis)}}), say(says::present), "-"});

@@ -1,6 +1,7 @@
-#include "axisc/answers/inspect/inspect_formats.hpp"
+#include "axisc/answers/inspect/inspect_answer.hpp"
 #include "axisc/answers/text_table.hpp"
 #include "axisc/files/image_file.hpp"
+#include "diagnostics/message.hpp"
 #include "diagnostics/terminal.hpp"
 
 #include <algorithm>
@@ -9,6 +10,8 @@ namespace axisc::says {
 
 constexpr Sentence heading{"axis {axis} as compiled into {file}; after each value: where it came from",
                            "Achse {axis}, wie in {file} übersetzt; nach jedem Wert: seine Herkunft"};
+constexpr Sentence without_lists{"{file} was compiled with --strip: it does not contain its lists",
+                                 "{file} wurde mit --strip übersetzt: das Abbild enthält seine Listen nicht"};
 
 }  // namespace axisc::says
 
@@ -25,10 +28,14 @@ void pad(std::string& line, std::size_t column) {
 
 }  // namespace
 
-std::string inspect_as_list(Shown const& shown, Language language) {
+std::string inspect_as_list(InspectQuestion const& question, image::ImageContents const& image,
+                            Language language) {
+  if (image.lists.empty()) {
+    throw Failure({.sentence = says::without_lists, .arguments = {{"file", question.image}}});
+  }
   std::string text;
-  for (auto const index : shown.axes) {
-    auto const& axis = shown.image.axes[index];
+  for (auto const index : chosen_axes(image, question.axis)) {
+    auto const& axis = image.axes[index];
     std::size_t names = 0;
     std::size_t values = 0;
     for (auto const& value : axis.values) {
@@ -38,7 +45,7 @@ std::string inspect_as_list(Shown const& shown, Language language) {
     if (!text.empty()) text += "\n";
     text += "# " +
             render({.sentence = says::heading,
-                    .arguments = {{"axis", axis_label(shown.image, index)}, {"file", shown.file}}},
+                    .arguments = {{"axis", axis_label(image, index)}, {"file", question.image}}},
                    language) +
             "\n";
     for (auto const& value : axis.values) {

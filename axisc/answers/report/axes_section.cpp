@@ -1,4 +1,4 @@
-#include "axisc/answers/inspect/inspect_formats.hpp"
+#include "axisc/answers/inspect/inspect_answer.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/asked/filter_symbols.hpp"
@@ -7,7 +7,7 @@
 #include "diagnostics/format_number.hpp"
 #include "image/chain_figures.hpp"
 #include "presentation/pictures/page.hpp"
-#include "presentation/pictures/svg_text.hpp"
+#include "presentation/writers.hpp"
 
 #include <span>
 
@@ -67,16 +67,9 @@ class AxisAlone {
 /// What `inspect` says of the axis, without the head of the image.
 std::string coefficients_of(ReportSubject const& subject, std::size_t axis,
                             image::ChainFigures const& figures) {
-  Shown const shown{.file = subject.input,
-                    .image = subject.plots->contents(),
-                    .axes = {axis},
-                    .figures = {figures},
-                    .memory = std::nullopt};
-  std::string const text = inspect_text(shown, subject.language);
-  auto const begin = text.find("\n\n");
-  std::string const own = begin == std::string::npos ? text : text.substr(begin + 2);
+  auto const blocks = inspect_axes(subject.plots->contents(), std::span(&axis, 1), std::span(&figures, 1));
   return details(subject.say(says::coefficients_summary),
-                 "<pre tabindex=\"0\">" + pictures::escaped(own) + "</pre>\n");
+                 presentation::html_of(blocks, 4, {.language = subject.language}));
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-#include "axisc/answers/explain/explain_formats.hpp"
+#include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "diagnostics/sentences.hpp"
 #include "presentation/pictures/svg_text.hpp"
+#include "presentation/writers.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <set>
@@ -68,8 +69,7 @@ std::string explanations_section(ReportSubject const& subject) {
   for (auto const code : codes) {
     auto const* const rule = validator::find_rule(code);
     if (rule == nullptr) continue;
-    text += "<section" + pictures::attribute("id", code_text(code)) + ">" +
-            html_of_markdown(explain_rule(*rule, 1, subject.language), 2) + "</section>\n";
+    text += presentation::html_of({rule_section(*rule)}, 3, {.language = subject.language});
   }
   return text;
 }

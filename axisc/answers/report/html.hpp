@@ -15,7 +15,4 @@ namespace axisc {
 /// What is folded away until it is wanted; `content` is HTML.
 [[nodiscard]] std::string details(std::string_view summary, std::string_view content);
 
-/// Paragraphs, headings one level below `level`, lists, code and tables of the pages that `explain` prints.
-[[nodiscard]] std::string html_of_markdown(std::string_view markdown, int level);
-
 }  // namespace axisc

@@ -44,9 +44,9 @@ TEST_CASE("a peak gain that no setpoint need reach is stated as a bound") {
                "filter[0].prototype BUTTERWORTH\nfilter[0].fg_f0 0.05\nfilter[0].guete 10\nEnde\n");
   REQUIRE(run_axisc({"compile", "x.lis", "-o", "x.axim", "--cycle-time", "125us", "-q"}, there).status == 0);
   auto const text = run_axisc({"inspect", "x.axim"}, there).out;
-  CHECK_THAT(text, Catch::Matchers::Contains("peak gain at most "));
+  CHECK_THAT(text, Catch::Matchers::Contains("at most 5.4433"));
   auto const german = run_axisc({"inspect", "x.axim", "--lang", "de"}, there).out;
-  CHECK_THAT(german, Catch::Matchers::Contains("Spitzenverstärkung höchstens "));
+  CHECK_THAT(german, Catch::Matchers::Contains("höchstens 5,4433"));
   auto const json = nlohmann::json::parse(run_axisc({"inspect", "x.axim", "--format", "json"}, there).out);
   auto const& axis = json["axes"][0];
   CHECK(axis["peak_gain"] > 3.357);
@@ -101,8 +101,8 @@ TEST_CASE("a stripped image has no names") {
   auto const there = compiled(folder, {"--strip", "--image-version", "7"});
   auto const outcome = run_axisc({"inspect", "m.axim"}, there);
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out, Catch::Matchers::Contains("axis axis0") &&
-                              Catch::Matchers::Contains("image version          7"));
+  CHECK_THAT(outcome.out,
+             Catch::Matchers::Contains("axis axis0") && Catch::Matchers::Contains("image version  7"));
   CHECK_THAT(run_axisc({"run", "m.axim", "--cycles", "1"}, there).out,
              Catch::Matchers::StartsWith("axis0,axis1\n"));
   CHECK(run_axisc({"inspect", "m.axim", "--as-list"}, there).status == 2);

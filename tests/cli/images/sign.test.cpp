@@ -77,7 +77,7 @@ TEST_CASE("a secret key that others may read, or that is none, is refused", "[po
 TEST_CASE("inspect says whether an image is signed, and checks it with a key") {
   TemporaryFolder const folder;
   auto const there = prepared(folder);
-  CHECK_THAT(run_axisc({"inspect", "m.axim"}, there).out, Contains("signature              none"));
+  CHECK_THAT(run_axisc({"inspect", "m.axim"}, there).out, Contains("signature      none"));
   CHECK_THAT(run_axisc({"inspect", "s.axim"}, there).out, Contains("(not checked)"));
   auto const right = run_axisc({"inspect", "s.axim", "--key", "a.pub"}, there);
   CHECK(right.status == 0);
