@@ -55,10 +55,8 @@ std::map<std::string, std::size_t> cancellations(std::vector<Received> const& me
   std::map<std::string, std::size_t> found;
   for (std::size_t i = 0; i < messages.size(); ++i) {
     auto const& message = messages[i].message;
-    if (messages[i].is_too_deep || !message.is_object() ||
-        message.value("method", Json()) != "$/cancelRequest")
-      continue;
-    if (message.contains(id)) found[dump(message[id])] = i;
+    bool const is_usable = !messages[i].is_too_deep && message.is_object() && message.contains(id);
+    if (is_usable && message.value("method", Json()) == "$/cancelRequest") found[dump(message[id])] = i;
   }
   return found;
 }

@@ -65,8 +65,9 @@ Json hints(OpenMachines& machines, Json const& params) {
     if (label.empty() || at < first || last < at) return;
     found.push_back({{"position", position_json(at)}, {"label", std::move(label)}, {"paddingLeft", true}});
   };
-  for (auto const& line : list.tree().assignments)
+  for (auto const& line : list.tree().assignments) {
     add(line.value.end, quantity(list, line, machines.language()));
+  }
   if (list.axis() == nullptr) return found;
   auto const& values = list.axis()->merged.values;
   for (auto const& filter : validator::touched_filters(values)) {

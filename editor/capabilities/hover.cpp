@@ -38,7 +38,7 @@ std::string quantity(OpenList const& list, schema::Parameter const& parameter, s
                      Language language) {
   auto const number = schema::read_real(raw);
   if (number.status != schema::NumberStatus::good || !parameter.symbols.empty()) return std::string(raw);
-  auto const text = with_unit(raw, number.number, list.unit_of(parameter), language);
+  auto text = with_unit(raw, number.number, list.unit_of(parameter), language);
   if (!list.is_unit_open(parameter)) return text;
   return text + " | " + validator::physical(number.number, parameter.unit_rotary).in(language);
 }

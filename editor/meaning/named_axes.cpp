@@ -5,16 +5,16 @@
 #include "configuration/machine_file.hpp"
 #include "editor/reading/places.hpp"
 
-#include <algorithm>
 #include <deque>
+#include <utility>
 
 namespace axisc::editor {
 
 namespace {
 
-std::optional<std::size_t> axis_in_channel(validator::LoadedMachine const& machine, Document const& document,
+std::optional<std::size_t> axis_in_channel(validator::LoadedMachine const& machine, SourceText const& text,
                                            std::size_t offset) {
-  auto const channel = configuration::read_channel_list(SourceText(document.path, document.text), SourceId{});
+  auto const channel = configuration::read_channel_list(text, SourceId{});
   auto const is_at = [offset](auto const& located) {
     return located && touches(located->place.span, offset);
   };
@@ -27,11 +27,11 @@ std::optional<std::size_t> axis_in_channel(validator::LoadedMachine const& machi
   return std::nullopt;
 }
 
-std::optional<std::size_t> axis_in_machine_file(validator::LoadedMachine const& machine,
-                                                Document const& document, std::size_t offset) {
+std::optional<std::size_t> axis_in_machine_file(validator::LoadedMachine const& machine, SourceText text,
+                                                std::size_t offset) {
   SourceSet sources;
   std::deque<Finding> mistakes;
-  auto const source = sources.add(SourceText(document.path, document.text));
+  auto const source = sources.add(std::move(text));
   auto const file = configuration::read_machine_file(sources, source, mistakes);
   std::vector<configuration::LocatedText> names;
   for (auto const& group : file.groups) names.insert(names.end(), group.axes.begin(), group.axes.end());
@@ -56,12 +56,12 @@ std::optional<std::string> list_of_named_axis(MachineReading const& reading, Doc
   auto const* const machine = reading.machine();
   if (machine == nullptr) return std::nullopt;
   std::optional<std::size_t> axis;
-  if (document.path.ends_with(".json")) {
-    if (configuration::looks_like_machine_file(document.text))
-      axis = axis_in_machine_file(*machine, document, offset);
-  } else if (configuration::decided_kind(SourceText(document.path, document.text)) ==
-             configuration::ListKind::channel) {
-    axis = axis_in_channel(*machine, document, offset);
+  SourceText text(document.path, document.text);
+  if (!document.path.ends_with(".json")) {
+    bool const is_channel = configuration::decided_kind(text) == configuration::ListKind::channel;
+    if (is_channel) axis = axis_in_channel(*machine, text, offset);
+  } else if (configuration::looks_like_machine_file(document.text)) {
+    axis = axis_in_machine_file(*machine, std::move(text), offset);
   }
   if (!axis) return std::nullopt;
   return reading.sources()[machine->lists[machine->axes[*axis].list].list.source].name();

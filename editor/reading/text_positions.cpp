@@ -39,9 +39,11 @@ std::size_t units(std::string_view line, std::size_t characters, PositionEncodin
 
 TextLines::TextLines(std::string_view text, PositionEncoding encoding) : text_(text), encoding_(encoding) {
   begins_.push_back(0);
-  for (auto end = text.find_first_of("\r\n"); end != std::string_view::npos;
-       end = text.find_first_of("\r\n", begins_.back())) {
-    begins_.push_back(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
+  // Several times as fast as find_first_of().
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\n' && text[i] != '\r') continue;
+    if (text.substr(i, 2) == "\r\n") ++i;
+    begins_.push_back(i + 1);
   }
 }
 
