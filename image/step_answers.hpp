@@ -1,4 +1,4 @@
-// What the axes of an image make of a step, for several askers: the image is executed once for all of them.
+// The step responses of an image's axes for several users: the image is executed once for all of them.
 #pragma once
 
 #include "image/chain_figures.hpp"
@@ -14,16 +14,16 @@ namespace axisc::image {
 
 class StepAnswers {
  public:
-  /// Of an image that read_image() accepted; both live longer. Nothing is executed yet.
+  /// For an image that read_image() accepted; both must outlive this. Nothing is executed yet.
   StepAnswers(std::span<std::byte const> image, ImageContents const& contents)
       : image_(image), contents_(&contents) {}
 
   /// The figures of chain_figures().
   [[nodiscard]] ChainFigures const& figures(std::size_t axis);
-  /// The answer to a step of 1 from rest, one number per cycle; invalid after the next call. Empty where the runtime refuses
-  /// the image. Cost: the cycles that nobody has asked for yet, of all axes; they are kept.
+  /// The answer to a step of 1 from rest, one number per cycle; invalid after the next call. Empty where the
+  /// runtime refuses the image. Cost: the cycles that were not executed yet, of all axes; they are kept.
   [[nodiscard]] std::span<double const> answer(std::size_t axis, std::uint64_t cycles);
-  /// Executed up to now.
+  /// The cycles executed so far.
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
 
  private:

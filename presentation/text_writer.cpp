@@ -74,7 +74,7 @@ class TextWriter {
   }
 
  private:
-  static constexpr std::size_t narrowest = 20;  ///< of a value beside its label
+  static constexpr std::size_t narrowest = 20;  ///< of a value next to its label
 
   void title(Words const& words) { text_ += paint_(Style::strong, text_of(words, options_.language)) + "\n"; }
   void blocks(std::vector<Block> const& all) {

@@ -11,8 +11,8 @@ namespace {
 /// The chains do the same within this, cycles.
 constexpr double same_answer = 1e-9;
 constexpr std::int64_t cycles_per_call = 1024;
-/// Shares of a tolerance: below the first one it does not matter what lies between two points; where the error halfway is
-/// within the second one of a straight line, it is one.
+/// Shares of a tolerance: the error between two points is not looked at below the first one; an error halfway
+/// that is within the second one of a straight line counts as on it.
 constexpr double near_tolerance = 0.9;
 constexpr double straight_within = 0.002;
 constexpr int most_halvings = 6;
@@ -29,7 +29,7 @@ struct Walk {
   std::size_t piece = 0;
   std::size_t corner = 0;
 
-  /// The last corner before this place.
+  /// Begins at the last corner before this place.
   void begin_at(double place) {
     auto const next =
         std::lower_bound(corners.begin(), corners.end(), place,
@@ -182,7 +182,8 @@ void PathTrial::measured(MeasuredPoint const& point) {
   error_before_ = error;
 }
 
-/// Where the nearest point of the filtered path jumps from one side of a corner to the other, the error has an edge.
+/// Where the nearest point of the filtered path jumps from one side of a corner to the other, the error has
+/// an edge.
 void PathTrial::look_between(MeasuredPoint const& point, Segment const& block, Sample const& a,
                              Sample const& b, int halvings) {
   if (halvings == 0 || std::max(a.error, b.error) < near_tolerance * *proves_ || !(a.along < b.along)) return;
@@ -201,7 +202,7 @@ double PathTrial::take(MeasuredPoint const& point) {
   double const error = *std::max_element(point.axis_error.begin(), point.axis_error.end());
   double const time = time_of_first_ + static_cast<double>(point.point.cycle);
   auto* corner = &corners_[at];
-  // A neighbour whose kernels reach further bends what is beyond this corner's.
+  // A neighbour whose kernels reach further bends the path beyond this corner's.
   if (corner->whole && !is_near(*corner, time)) {
     if (at > 0 && is_near(corners_[at - 1], time)) {
       corner = &corners_[at - 1];

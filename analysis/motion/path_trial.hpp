@@ -1,6 +1,8 @@
-// Lets the runtime pass a planned path before the machine does, and says how far each corner's surroundings bend.
+// Lets the runtime pass a planned path before the machine does, and measures how far each corner's
+// surroundings bend.
 //
-// Setpoints are those that the interpolator will give: the path's times count from its beginning, whole ones are NC cycles.
+// Setpoints are those that the interpolator will give: the path's times count from its beginning, whole ones
+// are NC cycles.
 #pragma once
 
 #include "analysis/motion/contour/contour_meter.hpp"
@@ -29,7 +31,7 @@ struct TimedPiece {
   bool ends_block = false;
 
   [[nodiscard]] double end() const { return start + duration; }
-  /// So far behind its beginning.
+  /// This far after its beginning.
   [[nodiscard]] Point at(double way) const { return path.at(from + way); }
 };
 
@@ -43,21 +45,21 @@ struct TriedCorner {
   double far_error = 0, far_fastest = 0;  ///< the same beyond it
 };
 
-/// What to measure of a path.
+/// The part of a path to measure.
 struct TrialSpan {
   double from = 0, to = 0;  ///< cycles
-  double phase = 0;         ///< setpoints come so much after whole cycles, 0..1
-  /// A tolerance: also between setpoints and corners, more closely where errors come near it.
+  double phase = 0;         ///< setpoints come this much after whole cycles, 0..1
+  /// A tolerance: measured also between setpoints and corners, more closely where errors come near it.
   std::optional<double> proves = std::nullopt;
 };
 
 class PathTrial final : private MeasuredSink {
  public:
-  /// Both live longer; the runtime is switched as `answers` say, and will be reset again and again. `working` is called every
-  /// millisecond or so.
+  /// Both must outlive this; the runtime is switched as `answers` say, and will be reset again and again.
+  /// `working` is called every millisecond or so.
   PathTrial(GroupRuntime& runtime, std::span<ChainAnswer const> answers, std::function<void()> working);
 
-  /// Cycles before and after a point of the path within which setpoints change what is measured there.
+  /// Cycles before and after a point of the path within which setpoints affect the measurement there.
   [[nodiscard]] double cycles_before() const { return 2 * reach_ + spread_ + 3; }
   [[nodiscard]] double cycles_after() const { return latest_ + reach_ + 3; }
   /// Cycles on either side of a corner beyond which nothing is left of it.
@@ -66,19 +68,20 @@ class PathTrial final : private MeasuredSink {
   /// All axes have the same chain: what lies straight stays straight.
   [[nodiscard]] bool alike() const { return alike_; }
 
-  /// Measures a span of the path and raises the figures of their corners. Behind its end the path rests;
-  /// before its beginning, too, unless it lies cycles_before() ahead of it. Cost: as for a simulation of these cycles.
+  /// Measures a span of the path and raises the figures of their corners. The path rests after its end, and
+  /// before its beginning, too, unless it lies cycles_before() ahead of it. Cost: as for a simulation of
+  /// these cycles.
   void run(std::span<TimedPiece const> path, std::span<TriedCorner> corners, TrialSpan const& span);
 
  private:
-  /// A point of the path that the meter was told of.
+  /// A point of the path that was passed to the meter.
   struct Looked {
     TimedPiece const* piece = nullptr;
     double way = 0;
 
     [[nodiscard]] double place() const { return piece->place + way; }
   };
-  /// On a block.
+  /// A measured place on a block.
   struct Sample {
     double along = 0;
     double error = 0;

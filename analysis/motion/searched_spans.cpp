@@ -8,10 +8,10 @@
 namespace axisc::motion {
 namespace {
 
-/// The sine of an angle halfway between two places is within 0.12 % of the larger one beside its peak.
+/// The sine of an angle halfway between two places is within 0.12 % of the larger one next to its peak.
 constexpr double places_per_turn = 64;
 
-/// Places at which a steady stretch of so many cycles is looked at, its two ends not counted.
+/// Places at which a steady stretch of this many cycles is searched, its two ends not counted.
 std::size_t places_within(TimedPiece const& piece, double cycles) {
   auto const* const arc = piece.path.arc();
   if (arc == nullptr) return 0;
@@ -39,7 +39,7 @@ std::vector<TrialSpan> searched_spans(std::span<TimedPiece const> path, TrialSpa
     double const to = std::min(span.to, piece->start + piece->profile.steady_to() - after);
     std::size_t const places = places_within(*piece, to - from);
     double const apart = (to - from) / static_cast<double>(places + 1);
-    // A place costs as much as what is needed to get there.
+    // A place costs as much as the cycles that lead to it.
     if (!(apart > 2 * (before + after))) continue;
     add(begun, from);
     for (std::size_t i = 1; i <= places; ++i) {

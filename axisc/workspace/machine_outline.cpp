@@ -62,7 +62,7 @@ void add_found_programs(MachineOutline& outline, DiskFiles& files, std::string c
 }
 
 SourceText list_text(std::string const& path, std::string text) {
-  // The check says what is wrong with it.
+  // The check reports what is wrong with it.
   std::vector<configuration::XmlMistake> mistakes;
   return configuration::list_text(path, std::move(text), mistakes);
 }
@@ -97,7 +97,7 @@ MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::
   return outline;
 }
 
-/// What ASCII says in UTF-16, and every other text itself.
+/// ASCII text in UTF-16, decoded; any other text unchanged.
 std::string narrowed(std::string text) {
   if (configuration::check_beginning(text) != configuration::FileError::utf16) return text;
   std::erase(text, '\0');
@@ -105,7 +105,7 @@ std::string narrowed(std::string text) {
   return text.substr(std::min(first, text.size()));
 }
 
-/// JSON that breaks off, also inside a word; a comma before the last bracket is another mistake.
+/// JSON that breaks off, also inside a token; a comma before the last bracket is another mistake.
 bool ends_early(std::string_view json) {
   auto const parsed = configuration::parse_json(json, 0);
   auto const* const error = std::get_if<configuration::JsonError>(&parsed);

@@ -41,7 +41,11 @@ struct ContourOptions {
 
 void declare(CommandLine& command_line, ContourOptions& options) {
   command_line.argument("MACHINE", options.machine, says::argument_input);
-  declare_contour_words(command_line, options.words);
+  declare_feeds(command_line, options.words);
+  declare_orders(command_line, options.words);
+  declare_angle(command_line, options.words);
+  declare_radius(command_line, options.words);
+  declare_tolerance(command_line, options.words);
   command_line.value("--filter", "COMMAND", options.filter, says::option_filter);
   command_line.value("--group", "NAME", options.group, says::option_group);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);

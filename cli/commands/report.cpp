@@ -46,7 +46,9 @@ void declare(CommandLine& command_line, ReportOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_reported);
   command_line.value("-o,--output", "FILE.html", options.output, says::option_page);
   command_line.value("--before", "OTHER", options.before, says::option_earlier);
-  declare_contour_words(command_line, options.contour, ContourWords::Shown::shapes);
+  declare_feeds(command_line, options.contour);
+  declare_angle(command_line, options.contour);
+  declare_radius(command_line, options.contour);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, options.alone);
 }

@@ -32,7 +32,7 @@ machine::PositionController scheduled_controller(std::optional<LocatedText> cons
   return machine::PositionController::unknown;
 }
 
-/// What a channel calls the axis with this number; null where none does.
+/// The channel's name for the axis with this number; null where there is none.
 LocatedText const* name_in_channels(StartUp const& start_up, double number) {
   for (StartUpChannel const& channel : start_up.channels) {
     for (auto const* const axes : {&channel.list.axes, &channel.list.spindles}) {
@@ -47,7 +47,7 @@ LocatedText const* name_in_channels(StartUp const& start_up, double number) {
 
 /// Counts entries in the order of their indices.
 struct NamedEntries {
-  std::uint32_t named = 0;  ///< so many from the first on have a file
+  std::uint32_t named = 0;  ///< this many from the first on have a file
 
   void add(ListEntry const& entry) {
     if (entry.index == named && !entry.file.text.empty()) ++named;
@@ -120,7 +120,7 @@ void Loader::load_default_axis_list(StartUp& start_up) {
 }
 
 void Loader::load_channels(StartUp& start_up) {
-  // The default list says what channels leave open, and names no axes.
+  // The default list completes the channels, and names no axes.
   if (start_up.list.default_channel) {
     auto const source = source_found(start_up, *start_up.list.default_channel, ListKind::channel);
     if (source) default_channel_ = configuration::read_channel_list(sources_[*source], *source);

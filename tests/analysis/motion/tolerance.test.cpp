@@ -58,8 +58,8 @@ struct Random {
   }
 };
 
-/// Two corners of opposite turn with a short block between them, polylines, circles and helices in chords, short blocks,
-/// ways back: end points in mm.
+/// Two corners of opposite turn with a short block between them, polylines, circles and helices in chords,
+/// short blocks, ways back: end points in mm.
 std::vector<test::Place> random_contour(Random& random, int kind) {
   std::vector<test::Place> points = {{0, 0, 0}};
   double direction = random.number(0, 6);
@@ -286,7 +286,8 @@ TEST_CASE("a tolerance that nothing exceeds changes nothing") {
 }
 
 TEST_CASE("corners that the axes' limits slow down anyway are slowed no further than the tolerance asks") {
-  // Between 130 and 259 µm the corner's own velocity is below the plateau's: what counts is how fast the path leaves it.
+  // Between 130 and 259 µm the corner's own velocity is below the plateau's: what counts is how fast the path
+  // leaves it.
   auto const machine = channel_of({{.order = 40}, {.order = 40}});
   double time = 1e9;
   for (double const tolerance : {0.05, 0.15, 0.17, 0.2, 0.25, 0.259}) {

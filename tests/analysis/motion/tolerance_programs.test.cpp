@@ -1,5 +1,5 @@
-// Tolerance monitoring on random programs of lines, arcs, helices, dwells, with all types of filters and three cycle times:
-// what plain geometry finds keeps the tolerance in every pass that does not say otherwise.
+// Tolerance monitoring on random programs of lines, arcs, helices, dwells, with all types of filters and
+// three cycle times: what plain geometry finds keeps the tolerance in every pass that does not say otherwise.
 #include "channels.hpp"
 #include "exact_distance.hpp"
 #include "support/catch.hpp"

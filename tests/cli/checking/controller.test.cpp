@@ -1,8 +1,8 @@
 // A controller's folder: its start-up list is the machine.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "diagnostics/finding.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <filesystem>

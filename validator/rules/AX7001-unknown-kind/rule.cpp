@@ -14,11 +14,9 @@ constexpr Sentence help_defaults{
     "ihren Text wiederherstellen: so gelten überall die Werte der Standardliste oder die der Steuerung"};
 constexpr Sentence help{
     "`--kind axis`, or \"kind\" in axisc.json, checks it as an axis list, \"exclude\" there leaves it out; "
-    "other kinds: "
-    "{kinds}",
+    "other kinds: {kinds}",
     "`--kind axis` oder \"kind\" in axisc.json prüft sie als Achsliste, \"exclude\" dort lässt sie aus; "
-    "andere Arten: "
-    "{kinds}"};
+    "andere Arten: {kinds}"};
 
 }  // namespace axisc::validator::says
 
@@ -61,7 +59,8 @@ void unknown_kind(MachineContext const& context, Report& report) {
   SourceText const& text = context.sources[source];
   Place const place = beginning_of(source, text);
   if (is_blank(text)) {
-    // What it was nobody knows: perhaps the start-up list that makes a machine of the others.
+    // Its former content is unknown: perhaps it was the start-up list that combines the others into a
+    // machine.
     Finding& finding = report.add(place, message(says::is_empty));
     finding.severity = Severity::error;
     finding.help.push_back(message(says::help_empty));
