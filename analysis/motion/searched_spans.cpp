@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace axisc::motion {
@@ -11,12 +12,13 @@ namespace {
 constexpr double places_per_turn = 64;
 
 /// Places at which a steady stretch of this many cycles is searched, its two ends not counted.
-double places_within(TimedPiece const& piece, double cycles) {
+std::size_t places_within(TimedPiece const& piece, double cycles) {
   auto const* const arc = piece.path.arc();
   if (arc == nullptr) return 0;
-  double const way = piece.profile.velocity_at(piece.profile.steady_from()) * cycles;
-  double const turns = std::abs(arc->sweep) * way / arc->length / (2 * std::numbers::pi);
-  return std::ceil(turns * places_per_turn);
+  double const way = piece.profile.velocity_at(piece.profile.steady_from()) * std::max(0.0, cycles);
+  double const share = std::min(1.0, way / arc->length);
+  double const turns = share * std::abs(arc->sweep) / (2 * std::numbers::pi);
+  return static_cast<std::size_t>(std::ceil(turns * places_per_turn));
 }
 
 }  // namespace
@@ -35,12 +37,15 @@ std::vector<TrialSpan> searched_spans(std::span<TimedPiece const> path, TrialSpa
   for (auto piece = first; piece != path.end() && piece->start < span.to; ++piece) {
     double const from = std::max(begun, piece->start + piece->profile.steady_from() + before);
     double const to = std::min(span.to, piece->start + piece->profile.steady_to() - after);
-    double const places = places_within(*piece, to - from);
-    double const apart = (to - from) / (places + 1);
+    std::size_t const places = places_within(*piece, to - from);
+    double const apart = (to - from) / static_cast<double>(places + 1);
     // A place costs as much as the cycles that lead to it.
     if (!(apart > 2 * (before + after))) continue;
     add(begun, from);
-    for (double place = 1; place <= places; ++place) add(from + place * apart, from + place * apart + 1);
+    for (std::size_t i = 1; i <= places; ++i) {
+      double const place = from + static_cast<double>(i) * apart;
+      add(place, place + 1);
+    }
     begun = to;
   }
   add(begun, span.to);

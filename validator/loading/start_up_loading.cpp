@@ -102,8 +102,9 @@ void Loader::note_unnamed_lists(StartUp& start_up) {
   axes.note_next("achs_mds", ListKind::axis, start_up.list.axis_count, start_up);
   machine_.knows_all_axes = start_up.searches.empty();
   NamedEntries compensations;
-  for (configuration::CompensationEntry const& each : start_up.list.compensations)
+  for (configuration::CompensationEntry const& each : start_up.list.compensations) {
     compensations.add(each.list);
+  }
   compensations.note_next("achs_kw", ListKind::compensation, start_up.list.compensation_count, start_up);
   NamedEntries channels;
   for (ListEntry const& entry : start_up.list.channels) channels.add(entry);

@@ -39,6 +39,7 @@ std::optional<std::size_t> PlotSubject::axis_before(std::size_t axis) const {
 std::vector<image::ChainFigures> figures_of(PlottedImage const& image, std::vector<std::size_t> const& axes) {
   if (image.steps == nullptr) return image::chain_figures(image.file.bytes.bytes(), image.contents(), axes);
   std::vector<image::ChainFigures> figures;
+  figures.reserve(axes.size());
   for (auto const axis : axes) figures.push_back(image.steps->figures(axis));
   return figures;
 }

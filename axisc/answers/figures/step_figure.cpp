@@ -134,6 +134,7 @@ class StepFigure {
   void find_figures(PlottedImage const& image) {
     auto const indices = chains_of(image);
     std::vector<std::size_t> axes;
+    axes.reserve(indices.size());
     for (auto const i : indices) axes.push_back(chains_[i].axis);
     auto const figures = figures_of(image, axes);
     for (std::size_t i = 0; i < indices.size(); ++i) chains_[indices[i]].figures = figures[i];
