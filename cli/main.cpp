@@ -57,7 +57,8 @@ bool takes_value(std::string_view argument) {
   return argument == "--lang" || argument == "--color";
 }
 
-/// Index of the command: the first argument that is not an option (nor the value of one that every command has).
+/// Index of the command: the first argument that is not an option (nor the value of one that every command
+/// has).
 std::size_t find_command(std::vector<std::string> const& arguments) {
   std::size_t i = 0;
   while (i < arguments.size() && arguments[i].substr(0, 1) == "-") {

@@ -1,9 +1,10 @@
-/* A real-time task with a cycle of 1 ms: filters moving setpoints and shows how late it woke and what the filters cost.
+/* A real-time task with a cycle of 1 ms: filters moving setpoints and shows how late it woke and what the
+ * filters cost.
  *
  *   cyclic_task IMAGE [CYCLES [PRIORITY]]
  *
- * On a kernel with PREEMPT_RT and the right to do so (root, or limits for memlock and rtprio) its memory is locked and its
- * scheduling is SCHED_FIFO; without, it says so and runs all the same.
+ * On a kernel with PREEMPT_RT and the right to do so (root, or limits for memlock and rtprio) its memory is
+ * locked and its scheduling is SCHED_FIFO; without, it says so and runs all the same.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "axisrt.h"

@@ -72,7 +72,8 @@ class CsvWriter {
   }
 
  private:
-  /// A row of its fields and those of the objects in it, "minimum.open"; columns are those that some row fills.
+  /// A row of its fields and those of the objects in it, "minimum.open"; columns are those that some row
+  /// fills.
   void add_section(Section const& section) {
     std::vector<std::string> cells;
     auto const add = [&](std::vector<Field> const& fields, std::string const& object) {

@@ -17,7 +17,8 @@ namespace axisc::presentation {
 /// The readers of a part of an answer. People read text, Markdown and HTML, programs read JSON and CSV.
 enum class Audience : std::uint8_t { all, people, programs };
 
-/// One value under a name. People do not see a field without a value. Keys are snake_case and end with the suffix of their unit.
+/// One value under a name. People do not see a field without a value. Keys are snake_case and end with the
+/// suffix of their unit.
 struct Field {
   std::string key;
   Words label;
@@ -113,7 +114,8 @@ struct Document {
   int version = 1;  ///< of the JSON form; 0: it is a file of another kind, without a version
   Words title;
   std::vector<Block> blocks;
-  /// Key of the tables that CSV has, also of one for people, or of sections, of which CSV has the fields; empty: no CSV.
+  /// Key of the tables that CSV has, also of one for people, or of sections, of which CSV has the fields;
+  /// empty: no CSV.
   std::string csv_table = {};
 };
 

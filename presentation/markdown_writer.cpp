@@ -8,8 +8,8 @@ namespace axisc::presentation {
 
 namespace {
 
-/// Text in which nothing is markup, with as few escapes as that takes: names of parameters, `filter[0].fg_f0`, stay as
-/// they are.
+/// Text in which nothing is markup, with as few escapes as that takes: names of parameters,
+/// `filter[0].fg_f0`, stay as they are.
 std::string plain(std::string_view text) {
   auto const is_word = [&](std::size_t at) {
     return at < text.size() && (ascii::is_letter(text[at]) || ascii::is_digit(text[at]));

@@ -19,8 +19,9 @@ namespace axisc::presentation {
 /// The words in lines that begin at `column`, where the first already is, without a line end.
 [[nodiscard]] std::string hanging(std::string_view text, std::size_t width, std::size_t column);
 
-/// The table's lines. Where they would be wider than `width`, headings and a last column of text are wrapped; where that
-/// does not help, columns are put below each other in groups, each with the head columns, which are not divided.
+/// The table's lines. Where they would be wider than `width`, headings and a last column of text are wrapped;
+/// where that does not help, columns are put below each other in groups, each with the head columns, which
+/// are not divided.
 [[nodiscard]] std::string table_text(ShownTable const& table, std::size_t width);
 
 }  // namespace axisc::presentation

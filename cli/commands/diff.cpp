@@ -99,7 +99,8 @@ struct Sides {
   std::shared_ptr<ComparedMachine> before, after;
 };
 
-/// Lists name each other from a folder above them, so that the copy of a folder may lead back to the original.
+/// Lists name each other from a folder above them, so that the copy of a folder may lead back to the
+/// original.
 void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& after,
                        Invocation const& invocation) {
   PathIdentities identities;

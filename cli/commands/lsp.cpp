@@ -54,8 +54,8 @@ ExitStatus lsp(Invocation const& invocation) {
     has_input = size != nullptr && *size > 0;
     if (has_input) frames.add({buffer.data(), *size});
     while (auto message = frames.next()) waiting.push_back(std::move(*message));
-    // What the client has said meanwhile counts: of several changes only the last is checked, and requests may be
-    // cancelled already.
+    // What the client has said meanwhile counts: of several changes only the last is checked, and requests
+    // may be cancelled already.
     bool const can_wait = has_input && !frames.is_broken() && waiting.size() < most_waiting;
     if (can_wait && input->is_ready()) continue;
     send(session->take(std::exchange(waiting, {})));

@@ -8,8 +8,8 @@
 
 namespace axisc::cli {
 
-/// The session that the arguments of `axisc lsp` ask for; none if they ask for the help, which is printed. Failure for
-/// invalid ones.
+/// The session that the arguments of `axisc lsp` ask for; none if they ask for the help, which is printed.
+/// Failure for invalid ones.
 [[nodiscard]] std::unique_ptr<editor::Session> editor_session(Invocation const& invocation);
 
 }  // namespace axisc::cli

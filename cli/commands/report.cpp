@@ -53,7 +53,8 @@ void declare(CommandLine& command_line, ReportOptions& options) {
   declare_alone(command_line, options.alone);
 }
 
-/// The machine at `path`, and whatever else lies in a folder, in the order of `lint`; every finding is kept. None after errors.
+/// The machine at `path`, and whatever else lies in a folder, in the order of `lint`; every finding is kept.
+/// None after errors.
 std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const& path,
                                       std::vector<std::string> const& inputs, CheckJob const& job) {
   std::optional<CheckedMachine> machine;

@@ -260,7 +260,8 @@ void refuse_mixture(SuggestOptions const& options) {
   }
 }
 
-/// Every list or none: what was written is taken back where a later one cannot be. With `diff` none: the patch is printed.
+/// Every list or none: what was written is taken back where a later one cannot be. With `diff` none: the
+/// patch is printed.
 void apply(ListEdits const& edits, std::vector<std::string> const& findings, std::size_t number,
            std::string const& named, bool diff, Invocation const& invocation) {
   auto const& [original, edited, refused] = edits;

@@ -1,4 +1,5 @@
-// What shells offer after `axisc `: commands, options, the values of options that have no others, names of files.
+// What shells offer after `axisc `: commands, options, the values of options that have no others, names of
+// files.
 #pragma once
 
 #include "cli/options/command_description.hpp"

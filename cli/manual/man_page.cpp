@@ -37,8 +37,8 @@ constexpr std::size_t source_width = 78;
 
 enum class Dashes : std::uint8_t { hyphens, minuses };
 
-/// Characters that mean something to the formatter, or are not ASCII, by their names. An option's dash is a minus, which
-/// can be copied to a shell; that of a word is a hyphen.
+/// Characters that mean something to the formatter, or are not ASCII, by their names. An option's dash is a
+/// minus, which can be copied to a shell; that of a word is a hyphen.
 std::string escaped(std::string_view text, Dashes dashes) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {

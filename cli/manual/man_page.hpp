@@ -1,4 +1,5 @@
-// Manual pages in the language of man(7), from what --help is made of. Pure ASCII: other characters are named.
+// Manual pages in the language of man(7), from what --help is made of. Pure ASCII: other characters are
+// named.
 #pragma once
 
 #include "cli/options/command_description.hpp"

@@ -1,6 +1,6 @@
-// The options of one command, declared one by one and then read. The parser (CLI11) is hidden behind this interface.
-// Only the options that the arguments may name are declared to it: it compares each with all others, and declaring all
-// options of a command would take longer than reading a list.
+// The options of one command, declared one by one and then read. The parser (CLI11) is hidden behind this
+// interface. Only the options that the arguments may name are declared to it: it compares each with all
+// others, and declaring all options of a command would take longer than reading a list.
 #pragma once
 
 #include "cli/options/environment.hpp"
@@ -35,12 +35,13 @@ class CommandLine {
   void argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning);
   /// Arguments without an option, any number of them.
   void arguments(std::string_view shown, std::vector<std::string>& target, SentenceRef meaning);
-  /// `names` are separated by commas: "-o,--output". `shown` is the placeholder of the value in the help, in English, or
-  /// the only values: "csv|text". `values` are those of a placeholder.
+  /// `names` are separated by commas: "-o,--output". `shown` is the placeholder of the value in the help, in
+  /// English, or the only values: "csv|text". `values` are those of a placeholder.
   void flag(std::string_view names, bool& target, SentenceRef meaning);
   void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
              SentenceRef meaning, std::vector<std::string> values = {});
-  /// A flag that may have a value, only after "=": `--fix` gives "", `--fix=all` gives "all". `shown`: "[=all]".
+  /// A flag that may have a value, only after "=": `--fix` gives "", `--fix=all` gives "all". `shown`:
+  /// "[=all]".
   void flag_with_value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
                        SentenceRef meaning);
   /// An option that may be repeated.
@@ -66,12 +67,12 @@ class CommandLine {
   /// Failure for an option that was given and means nothing with this kind.
   void refuse_others(std::string_view kind) const;
 
-  /// The text to print instead of executing the command (--help, --version), or none. Failure for an invalid command
-  /// line.
+  /// The text to print instead of executing the command (--help, --version), or none. Failure for an invalid
+  /// command line.
   [[nodiscard]] std::optional<std::string> read(std::span<std::string const> arguments);
 
-  /// Reads the invocation's arguments; every command begins so. True if the command is done: --help or --version was
-  /// printed, or the command was only to be described.
+  /// Reads the invocation's arguments; every command begins so. True if the command is done: --help or
+  /// --version was printed, or the command was only to be described.
   [[nodiscard]] bool answers(Invocation const& invocation);
   /// Failure that names `argument` and the command if it was not given.
   void require(bool given, std::string_view argument) const;

@@ -19,7 +19,8 @@ void refuse_programs(std::vector<std::string> const& paths) {
   }
 }
 
-/// A name from the command line, or the only one in a response file. What kind of file it is shows when it is read.
+/// A name from the command line, or the only one in a response file. What kind of file it is shows when it is
+/// read.
 CompileInputs choose_one(CompileOptions const& options) {
   auto named = options.inputs;
   auto sources = named;

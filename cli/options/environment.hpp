@@ -14,8 +14,8 @@ namespace axisc::cli {
 
 enum class ColorChoice : std::uint8_t { automatic, always, never };
 
-/// `--lang` among the arguments, else the first of LC_ALL, LC_MESSAGES and LANG that is set, else English. Read before
-/// the other options, so that messages about them are already in that language.
+/// `--lang` among the arguments, else the first of LC_ALL, LC_MESSAGES and LANG that is set, else English.
+/// Read before the other options, so that messages about them are already in that language.
 [[nodiscard]] Language choose_language(std::span<std::string const> arguments);
 
 /// Automatic: only on a terminal, without NO_COLOR, and not on a dumb one.

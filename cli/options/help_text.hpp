@@ -13,8 +13,8 @@ namespace axisc::cli {
 /// Two columns: a name and its meaning, broken between words.
 [[nodiscard]] std::string help_row(std::string_view name, std::string_view meaning, std::size_t width);
 
-/// Paragraphs, broken between words. Lines with an indentation, which are examples, stay as they are if they fit;
-/// otherwise what follows their widest gap moves to a line of its own.
+/// Paragraphs, broken between words. Lines with an indentation, which are examples, stay as they are if they
+/// fit; otherwise what follows their widest gap moves to a line of its own.
 [[nodiscard]] std::string help_paragraphs(std::string_view text, std::size_t width);
 
 }  // namespace axisc::cli

@@ -1,4 +1,5 @@
-// Prints answers in the format that the user wants. Every command that answers a question has the same formats.
+// Prints answers in the format that the user wants. Every command that answers a question has the same
+// formats.
 #pragma once
 
 #include "cli/options/command_line.hpp"

@@ -21,11 +21,11 @@ class Progress {
 
   /// At most ten times a second: a bar, percent, and the seconds of machine time.
   void show(double share, double seconds);
-  /// At most ten times a second: a count and the rate per second. Nothing in the first half second, in which most runs
-  /// end.
+  /// At most ten times a second: a count and the rate per second. Nothing in the first half second, in which
+  /// most runs end.
   void show(std::size_t done, std::size_t count);
-  /// Removes the line before `console` prints, so that the two do not mix on a terminal, for as long as this object
-  /// lives.
+  /// Removes the line before `console` prints, so that the two do not mix on a terminal, for as long as this
+  /// object lives.
   void stand_aside_for(Console& console);
 
  private:

@@ -7,15 +7,15 @@
  *
  * Pins, N being an axis of the image:
  *   axisrt.N.in       float in   command position, in units of the machine
- *   axisrt.N.out      float out  filtered command position; `in` itself while the axis is not enabled or the component at fault
- *   axisrt.N.enable   bit in     on the rising edge the filters begin at rest at `in`; true unless it is linked
+ *   axisrt.N.out      float out  filtered command position; `in` itself while not enabled or at fault
+ *   axisrt.N.enable   bit in     on the rising edge filters begin at rest at `in`; true unless linked
  *   axisrt.N.status   u32 out    an axisrt_status, 0 when all is well
  *   axisrt.N.settled  bit out    the filtered position is within P-AXIS-00351 of the command
  *   axisrt.filter-on  bit in     #FILTER ON and OFF, on its edges
- *   axisrt.command-status u32 out  of the latest edge, which is repeated while filters change over or have to stand still for it
+ *   axisrt.command-status u32 out  of the latest edge, repeated while filters change over or must stand still
  *   axisrt.fault      bit out    nothing is filtered: the thread's period is not the image's
  * Parameters:
- *   axisrt.N.scale    float rw   units of the list for one unit of the machine: 10000 for mm and degrees, 254000 for inches;
+ *   axisrt.N.scale    float rw   units of the list per unit of the machine: 10000 (mm, degrees), 254000 (inches);
  *                                the filters begin at rest again when it changes
  */
 #include "axisrt.h"

@@ -202,9 +202,10 @@ std::string without_examples(std::string const& text) {
 
 /// "says::name" as a whole word.
 bool says(std::string_view text, std::string const& name) {
-  std::string const word = "says::" + name;
-  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-    if (at + word.size() == text.size() || !is_name_character(text[at + word.size()])) return true;
+  for (std::string const& word : {"says::" + name, "labels::" + name}) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+      if (at + word.size() == text.size() || !is_name_character(text[at + word.size()])) return true;
+    }
   }
   return false;
 }

@@ -1,5 +1,5 @@
-/* The runtime on a microcontroller: images in flash, static memory, outputs compared with the host's bit for bit. The
- * result is printed through the debugger's semihosting. */
+/* The runtime on a microcontroller: images in flash, static memory, outputs compared with the host's bit for
+ * bit. The result is printed through the debugger's semihosting. */
 #include "tests/bare_metal/motion.h"
 
 #include <stdio.h>

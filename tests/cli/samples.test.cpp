@@ -15,9 +15,9 @@ using namespace axisc::test;
 
 namespace {
 
-/// A line for each parameter with a documented default: aligned by blanks and tabs, comments behind an open `(` with the
-/// number and umlauts in windows-1252, bit masks in hexadecimal, references to numbers that stand elsewhere in the list,
-/// mostly further down.
+/// A line for each parameter with a documented default: aligned by blanks and tabs, comments behind an open
+/// `(` with the number and umlauts in windows-1252, bit masks in hexadecimal, references to numbers that
+/// stand elsewhere in the list, mostly further down.
 std::string list_as_on_machines() {
   std::string list = "#*****************************************\n# Achsliste f\xFCr die X-Achse\n\t\t\n\n";
   std::size_t line = 4;

@@ -127,7 +127,8 @@ class FromLists {
   validator::LoadedMachine const& machine_;
 };
 
-/// The values that an image remembers, read again as one list, so that the same judgement applies to both sides.
+/// The values that an image remembers, read again as one list, so that the same judgement applies to both
+/// sides.
 validator::EffectiveValues const& values_of(ComparedMachine& side, image::ImageAxis const& axis,
                                             schema::Catalogue const& catalogue) {
   std::string text;

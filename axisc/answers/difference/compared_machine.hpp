@@ -66,8 +66,9 @@ struct ComparedMachine {
   [[nodiscard]] std::string written(validator::EffectiveValue const& value) const;
 };
 
-/// Reads a list, a machine file, a start-up list, the only machine in a folder, or an image. `errors` takes errors, and
-/// what can be read is compared nevertheless; null where that is no axis. Failure for what cannot be read or compiled.
+/// Reads a list, a machine file, a start-up list, the only machine in a folder, or an image. `errors` takes
+/// errors, and what can be read is compared nevertheless; null where that is no axis. Failure for what cannot
+/// be read or compiled.
 [[nodiscard]] std::unique_ptr<ComparedMachine> compared_machine(std::string const& input, CheckJob const& job,
                                                                 ErrorSink const& errors);
 

@@ -45,7 +45,8 @@ class DiffWords {
   /// NC cycle time, axes of one side only, gantries.
   [[nodiscard]] std::vector<DiffLine> machine() const;
   [[nodiscard]] std::vector<DiffSection> channels() const;
-  /// Axes with differences; those that differ alike together, after what a line of the default list changes for several.
+  /// Axes with differences; those that differ alike together, after what a line of the default list changes
+  /// for several.
   [[nodiscard]] std::vector<DiffSection> axes() const;
   /// What needs a restart, and what is not shown.
   [[nodiscard]] std::vector<std::string> remarks() const;

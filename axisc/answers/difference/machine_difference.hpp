@@ -1,4 +1,5 @@
-// What differs between two machines, or between two axes of one: axes, channels, parameters, and what that does.
+// What differs between two machines, or between two axes of one: axes, channels, parameters, and what that
+// does.
 #pragma once
 
 #include "axisc/answers/difference/compared_machine.hpp"
@@ -53,8 +54,9 @@ struct MachineDifference {
 
 using AxisPair = std::pair<ComparedAxis const*, ComparedAxis const*>;
 
-/// Each axis with that of its number (kopf.achs_nr, where lists set it, and no other axis of the machine has it); the others by name.
-/// Two machines of one axis each: these. A stripped image and a machine of as many axes: by their order.
+/// Each axis with that of its number (kopf.achs_nr, where lists set it, and no other axis of the machine has
+/// it); the others by name. Two machines of one axis each: these. A stripped image and a machine of as many
+/// axes: by their order.
 [[nodiscard]] std::vector<AxisPair> pair_axes(ComparedMachine const& before, ComparedMachine const& after);
 
 /// `all`: parameters that one side sets to what is its default, too.
@@ -66,8 +68,8 @@ using AxisPair = std::pair<ComparedAxis const*, ComparedAxis const*>;
                                              ComparedMachine const& after, ComparedAxis const& new_axis,
                                              bool all);
 
-/// The axis with this name (as programs or lists call it), number, or list. Failure for an unknown or ambiguous name, which
-/// names the axes there are.
+/// The axis with this name (as programs or lists call it), number, or list. Failure for an unknown or
+/// ambiguous name, which names the axes there are.
 [[nodiscard]] ComparedAxis const& axis_called(ComparedMachine const& machine, std::string const& name);
 
 }  // namespace axisc

@@ -55,7 +55,8 @@ class Side {
 
   [[nodiscard]] std::vector<EffectiveValue const*> set_values() const { return axis_.values->set_values(); }
 
-  /// The effective value of a parameter, which a schema file of the other side may have brought; null for such a one.
+  /// The effective value of a parameter, which a schema file of the other side may have brought; null for
+  /// such a one.
   [[nodiscard]] EffectiveValue const* find(std::string const& name) const {
     auto const found = axis_.values->catalogue().find_exact(name);
     return found ? &(*axis_.values)[found.slot] : nullptr;

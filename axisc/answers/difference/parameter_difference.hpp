@@ -41,8 +41,9 @@ inline constexpr std::string_view own_parameters[] = {
 };
 [[nodiscard]] bool is_own(schema::Parameter const& row);
 
-/// By rising name, every parameter that a list sets on either side and that is not set alike; `equal` marks those that mean
-/// the same nevertheless (one side sets what is its default). Empty where the values of a side are not known.
+/// By rising name, every parameter that a list sets on either side and that is not set alike; `equal` marks
+/// those that mean the same nevertheless (one side sets what is its default). Empty where the values of a
+/// side are not known.
 [[nodiscard]] std::vector<ParameterChange> compare_parameters(ComparedMachine const& before,
                                                               ComparedAxis const& old_axis,
                                                               ComparedMachine const& after,

@@ -47,8 +47,8 @@ class Execution {
 
   /// Resets all axes: to `position` at the port that the stimulus feeds, to 0 elsewhere.
   void reset(double position, Port fed);
-  /// Runs to the end of the stimulus and passes on the table in pieces, header first. Failure if the runtime stops or a
-  /// command cannot be executed.
+  /// Runs to the end of the stimulus and passes on the table in pieces, header first. Failure if the runtime
+  /// stops or a command cannot be executed.
   Noticed go(RunTable table, std::function<void(std::string_view)> const& write);
 
  private:

@@ -18,8 +18,8 @@ namespace axisc {
 
 class GroupChains {
  public:
-  /// The channel of a machine, which has axes; it is compiled alone, when the first answer is wanted. `path` is the machine's,
-  /// for messages.
+  /// The channel of a machine, which has axes; it is compiled alone, when the first answer is wanted. `path`
+  /// is the machine's, for messages.
   GroupChains(machine::Machine const& machine, std::size_t group,
               std::vector<machine::FilterCommand> commands, std::string path);
   /// An image, which has no orders but its own and outlives this. `group` refers to the image's axes.
@@ -28,8 +28,8 @@ class GroupChains {
 
   /// Orders that answers() accepts.
   void add_order(std::uint32_t order);
-  /// By axis of the group, with this order instead of the lists'. Failure for a chain that blocks the constant part, and
-  /// for a group with more axes than a path has.
+  /// By axis of the group, with this order instead of the lists'. Failure for a chain that blocks the
+  /// constant part, and for a group with more axes than a path has.
   [[nodiscard]] std::vector<motion::ChainAnswer> answers(std::optional<std::uint32_t> order);
 
   /// Refers to the axes of the machine, or of the image.

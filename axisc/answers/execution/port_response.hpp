@@ -10,8 +10,8 @@
 
 namespace axisc {
 
-/// Setpoint: the cascade with the kernel that the runtime has switched on. Additional interface: its filter. Velocity: from
-/// all three velocities to the additive velocity, -Σ weight·stage, without its limit.
+/// Setpoint: the cascade with the kernel that the runtime has switched on. Additional interface: its filter.
+/// Velocity: from all three velocities to the additive velocity, -Σ weight·stage, without its limit.
 class PortResponse {
  public:
   PortResponse(image::ImageContents const& image, image::RuntimeHost const& host, std::size_t axis,

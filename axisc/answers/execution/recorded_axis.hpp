@@ -31,7 +31,8 @@ struct RecordedAxis {
 [[nodiscard]] std::size_t recorded_axis(image::ImageContents const& image,
                                         std::optional<std::string> const& name, std::string const& file);
 
-/// `switches` of kernel_switches(), in cycles of the recording; where there are none, such that explain it are looked for. Failures as those of read_recorded_columns().
+/// `switches` of kernel_switches(), in cycles of the recording; where there are none, such that explain it
+/// are looked for. Failures as those of read_recorded_columns().
 [[nodiscard]] RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis,
                                         std::string const& path, WantedColumns const& columns,
                                         RecordedUnit unit,

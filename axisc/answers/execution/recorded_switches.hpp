@@ -10,8 +10,8 @@
 
 namespace axisc {
 
-/// `commands` by rising cycle. Failure if the axis has no filter that they could switch, if the image lacks a kernel for one of them,
-/// or if one comes while the filter still changes over.
+/// `commands` by rising cycle. Failure if the axis has no filter that they could switch, if the image lacks a
+/// kernel for one of them, or if one comes while the filter still changes over.
 [[nodiscard]] std::vector<comparison::KernelSwitch> kernel_switches(std::vector<TimedCommand> const& commands,
                                                                     image::ImageContents const& image,
                                                                     std::size_t axis,

@@ -17,13 +17,14 @@ enum class RecordedUnit : std::uint8_t {
   increments  ///< of the measuring system: P-AXIS-00233 and P-AXIS-00234 say how long one is
 };
 
-/// µm, or 0.001°, of one unit. Where the unit is to be recognised, whole numbers are those of CNC objects. Failure for increments
-/// of an axis whose image does not hold the lists' values.
+/// µm, or 0.001°, of one unit. Where the unit is to be recognised, whole numbers are those of CNC objects.
+/// Failure for increments of an axis whose image does not hold the lists' values.
 [[nodiscard]] double thousandths_of(RecordedUnit unit, image::ImageAxis const& axis,
                                     comparison::Recording const& recording);
 
-/// By how many µm or 0.001° the position of the axis jumps where its modulo range ends (P-AXIS-00126, P-AXIS-00127); a full turn of a
-/// rotary axis if the lists do not say. None for an axis without such a range.
+/// By how many µm or 0.001° the position of the axis jumps where its modulo range ends (P-AXIS-00126,
+/// P-AXIS-00127); a full turn of a rotary axis if the lists do not say. None for an axis without such a
+/// range.
 [[nodiscard]] std::optional<double> modulo_range(image::ImageAxis const& axis);
 
 }  // namespace axisc

@@ -34,8 +34,8 @@ validator::Rule const* rule_of(std::string const& word) {
   return by_number ? validator::find_rule(*by_number) : nullptr;
 }
 
-/// Rows with the number in "P-AXIS-00140" or "P-CHAN-00035". The number may stand alone for a parameter of axes; zeros in
-/// front may be missing.
+/// Rows with the number in "P-AXIS-00140" or "P-CHAN-00035". The number may stand alone for a parameter of
+/// axes; zeros in front may be missing.
 std::vector<schema::Parameter const*> rows_of_number(std::span<schema::Catalogue const> catalogues,
                                                      std::string const& word) {
   auto const text = ascii::upper_case(word);

@@ -90,7 +90,8 @@ class PathFigure {
     return largest;
   }
 
-  /// The filtered path in classes of its deviation: each class is a curve, interrupted where another one goes on.
+  /// The filtered path in classes of its deviation: each class is a curve, interrupted where another one goes
+  /// on.
   [[nodiscard]] pictures::Panel plane(std::vector<PathRecorder::Block> const& worst) const {
     pictures::Panel panel;
     panel.height = plane_height;
@@ -115,7 +116,8 @@ class PathFigure {
     return panel;
   }
 
-  /// What came out lags behind what was programmed: it has the deviation of the nearest point that was programmed before.
+  /// What came out lags behind what was programmed: it has the deviation of the nearest point that was
+  /// programmed before.
   [[nodiscard]] std::vector<double> deviations_of_filtered() const {
     constexpr std::size_t longest_lag = 400;
     std::vector<double> deviations(samples_.size(), 0.0);

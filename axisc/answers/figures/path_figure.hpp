@@ -13,7 +13,8 @@
 
 namespace axisc {
 
-/// What is drawn of a path: the setpoints, thinned evenly where there are many, without losing the largest deviation.
+/// What is drawn of a path: the setpoints, thinned evenly where there are many, without losing the largest
+/// deviation.
 class PathRecorder final : public motion::SimulationListener {
  public:
   /// Axes of the group that span the plane.
@@ -69,8 +70,8 @@ struct PathPlot {
   std::optional<double> tolerance_um;  ///< blocks that exceed it are marked
 };
 
-/// Programmed and filtered path in a plane, the filtered one coloured by its deviation; below it deviation, path velocity
-/// and path acceleration over time: what `simulate` computes.
+/// Programmed and filtered path in a plane, the filtered one coloured by its deviation; below it deviation,
+/// path velocity and path acceleration over time: what `simulate` computes.
 [[nodiscard]] pictures::Figure path_figure(PathRecorder const& recorder, PathPlot const& plot,
                                            Language language);
 

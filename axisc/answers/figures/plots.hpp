@@ -63,19 +63,20 @@ struct ResponsePlot {
   std::vector<MeasuredPoint> measured = {};  ///< drawn, and for a single axis what its chain makes of it
 };
 
-/// Magnitude, phase and group delay over frequency, as `response` computes them; of a single axis with each of its
-/// filters.
+/// Magnitude, phase and group delay over frequency, as `response` computes them; of a single axis with each
+/// of its filters.
 [[nodiscard]] pictures::Figure response_figure(PlotSubject const& subject, ResponsePlot const& wanted);
 
-/// The answer to a step of 1 in position, from standstill, and its velocity and acceleration, as `run` computes them.
+/// The answer to a step of 1 in position, from standstill, and its velocity and acceleration, as `run`
+/// computes them.
 [[nodiscard]] pictures::Figure step_figure(PlotSubject const& subject);
 
-/// Group delay at 0 Hz of each axis, one share per filter: with the FIR and HSC filters as --at switched them, else on, and
-/// then also what it is before, where they are off at start-up.
+/// Group delay at 0 Hz of each axis, one share per filter: with the FIR and HSC filters as --at switched
+/// them, else on, and then also what it is before, where they are off at start-up.
 [[nodiscard]] pictures::Figure delay_figure(PlotSubject const& subject);
 
-/// Delay, -3 dB frequency, attenuation at characteristic frequencies and at `marks` (Hz), settling and overshoot of each
-/// axis, with the difference where there are two states.
+/// Delay, -3 dB frequency, attenuation at characteristic frequencies and at `marks` (Hz), settling and
+/// overshoot of each axis, with the difference where there are two states.
 [[nodiscard]] pictures::Table chain_table(PlotSubject const& subject, std::vector<double> const& marks);
 
 /// Whose contours are drawn.
@@ -91,8 +92,8 @@ struct ContourSubject {
   }
 };
 
-/// The programmed corner and the filtered one, for each feed and order, as `contour` computes them; the plane of the first axis
-/// and the one with the largest deviation.
+/// The programmed corner and the filtered one, for each feed and order, as `contour` computes them; the plane
+/// of the first axis and the one with the largest deviation.
 [[nodiscard]] pictures::Figure corner_figure(ContourSubject const& subject, ContourRequest const& wanted);
 
 /// Deviation of the radius over the angle, magnified.

@@ -11,8 +11,8 @@
 
 namespace axisc {
 
-/// Chains of the named group, of the first one without a name, with all FIR and HSC filters on. Of an image without
-/// groups, all its axes. Failure for an unknown name.
+/// Chains of the named group, of the first one without a name, with all FIR and HSC filters on. Of an image
+/// without groups, all its axes. Failure for an unknown name.
 [[nodiscard]] GroupChains group_chains(InputImage const& input, std::optional<std::string> const& name,
                                        ContourRequest const& wanted, std::string const& path);
 

@@ -22,14 +22,14 @@ struct InspectQuestion {
 /// Failure for an unknown axis.
 [[nodiscard]] presentation::Document inspect_answer(InspectQuestion const& question, ImageFile const& file);
 
-/// The parts about some axes, without the head of the image: chains, coefficients, kernels and channels. `figures` are
-/// those of the axes.
+/// The parts about some axes, without the head of the image: chains, coefficients, kernels and channels.
+/// `figures` are those of the axes.
 [[nodiscard]] std::vector<presentation::Block> inspect_axes(image::ImageContents const& image,
                                                             std::span<std::size_t const> axes,
                                                             std::span<image::ChainFigures const> figures);
 
-/// The axes' lists, one after the other; a comment after each value names its origin. Failure for an image without
-/// lists.
+/// The axes' lists, one after the other; a comment after each value names its origin. Failure for an image
+/// without lists.
 [[nodiscard]] std::string inspect_as_list(InspectQuestion const& question, image::ImageContents const& image,
                                           Language language);
 

@@ -83,7 +83,8 @@ std::string channels_section(ReportSubject const& subject) {
     try {
       text += feed_table(subject, i) + group_pictures(subject, i);
     } catch (Failure const& failure) {
-      // A chain without a constant part, or more axes than a path has: the sentence takes the pictures' place.
+      // A chain without a constant part, or more axes than a path has: the sentence takes the pictures'
+      // place.
       text += text_of("p", failure.sentence(subject.language)) + "\n";
     }
   }

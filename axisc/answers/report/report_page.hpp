@@ -1,5 +1,5 @@
-// The acceptance report of a machine as one HTML page: findings, axes, contours and changes, readable without a network and
-// without scripts.
+// The acceptance report of a machine as one HTML page: findings, axes, contours and changes, readable without
+// a network and without scripts.
 #pragma once
 
 #include "axisc/answers/difference/diff_formats.hpp"

@@ -15,7 +15,8 @@ namespace axisc {
 struct PhaseOscillation {
   motion::MovePhase phase = motion::MovePhase::travel;
   motion::Oscillation without;
-  /// Amplitude with the function, m/s²: the same frequency in the same window. None where the loop was lost before.
+  /// Amplitude with the function, m/s²: the same frequency in the same window. None where the loop was lost
+  /// before.
   std::optional<double> with;
 };
 

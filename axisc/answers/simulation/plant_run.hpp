@@ -23,8 +23,8 @@ struct PlantRun {
   double cycle_seconds = 0;
 };
 
-/// `searches_kv`: also finds the highest Kv, which takes most of the time. Failure for a move or a plant file that cannot
-/// be used.
+/// `searches_kv`: also finds the highest Kv, which takes most of the time. Failure for a move or a plant file
+/// that cannot be used.
 [[nodiscard]] PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked,
                                  bool searches_kv);
 

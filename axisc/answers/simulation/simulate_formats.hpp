@@ -25,7 +25,8 @@ struct SimulatedPath {
   design::CycleTime cycle_time;
 };
 
-/// Every NC cycle as CSV: time, block, path velocity, per axis setpoint, filtered setpoint and axis error, contour deviation.
+/// Every NC cycle as CSV: time, block, path velocity, per axis setpoint, filtered setpoint and axis error,
+/// contour deviation.
 class CycleWriter {
  public:
   CycleWriter(SimulatedPath const& path, TextSink sink);

@@ -1,5 +1,5 @@
-/* What a DLL without the C library needs: an entry, the mark of floating-point numbers, memory functions, and the probe of the
- * stack that MSVC's ABI wants for frames above 4 KiB. */
+/* What a DLL without the C library needs: an entry, the mark of floating-point numbers, memory functions, and
+ * the probe of the stack that MSVC's ABI wants for frames above 4 KiB. */
 #include <stddef.h>
 
 int _fltused = 0x9875;

@@ -311,7 +311,8 @@ TEST_CASE("the text of an editor is judged in the machine of its file") {
   folder.write("all.lis", "filter[0].enable 1\nfilter[0].type LOWPASS\nunknown.of.defaults 1\n");
   folder.write("x.lis", "kopf.achs_nr 1\n");
   auto surroundings = in_folder(folder.path());
-  // 600 Hz is above half the sampling frequency of the machine; alone the list has no such filter and no cycle time.
+  // 600 Hz is above half the sampling frequency of the machine; alone the list has no such filter and no
+  // cycle time.
   surroundings.input = "kopf.achs_nr 1\nfilter[0].order 2\nfilter[0].fg_f0 600\n";
   auto const outcome =
       run_axisc({"lint", "-", "--stdin-filename", "x.lis", "--format", "json", "--lang", "en"}, surroundings);

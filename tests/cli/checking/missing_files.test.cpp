@@ -114,8 +114,8 @@ std::array<Damage, 5> const of_named_files = {
            }},
 };
 
-/// For files that say which others there are, or whose form says where they end. The first half of a plain list may be
-/// as good as the whole.
+/// For files that say which others there are, or whose form says where they end. The first half of a plain
+/// list may be as good as the whole.
 std::array<Damage, 3> const of_enclosing_files = {
     Damage{"emptied", [](fs::path const& file, std::string const&) { overwrite(file, ""); }},
     Damage{"cut in half",

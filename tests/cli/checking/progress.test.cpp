@@ -34,7 +34,8 @@ std::string seen_on_terminal(std::string const& folder) {
             "en", nullptr);
     ::_exit(127);
   }
-  // Stopped on its way, so that it takes longer than a person is left without a word, however fast the machine is.
+  // Stopped on its way, so that it takes longer than a person is left without a word, however fast the
+  // machine is.
   std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ::kill(child, SIGSTOP);
   std::this_thread::sleep_for(std::chrono::milliseconds(600));

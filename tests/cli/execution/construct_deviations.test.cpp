@@ -17,15 +17,16 @@ constexpr int half = 20;    ///< of the 41 taps lie on either side of the middle
 /// The filtered point that belongs to a corner is so far away along each leg, in µm: Σ k way / 41.
 constexpr double leg = way * (half * (half + 1) / 2) / 41;
 
-/// A circle of so many µm passes a symmetric filter with A = sin(41 θ/2) / (41 sin(θ/2)), θ = way / r: its radius shrinks by
-/// r (1 - A). Of a helix only a share of the way lies in the plane.
+/// A circle of so many µm passes a symmetric filter with A = sin(41 θ/2) / (41 sin(θ/2)), θ = way / r: its
+/// radius shrinks by r (1 - A). Of a helix only a share of the way lies in the plane.
 double shrinks(double r, double share = 1) {
   double const theta = way * share / r;
   return r * (1 - std::sin(41 * theta / 2) / (41 * std::sin(theta / 2)));
 }
 
-/// Where a line along X becomes a circle along its tangent, one half of the taps lies on the circle. The filtered point that
-/// belongs to this place is (x, y) away; the filtered path has turned there, by Σ sin kθ to 21 + Σ cos kθ.
+/// Where a line along X becomes a circle along its tangent, one half of the taps lies on the circle. The
+/// filtered point that belongs to this place is (x, y) away; the filtered path has turned there, by Σ sin kθ
+/// to 21 + Σ cos kθ.
 double tangent_deviation(double r) {
   double x = 0;
   double y = 0;
@@ -85,8 +86,8 @@ TEST_CASE("constructs: stops and dwells") {
                       {"N120", rest_to_rest(10)}});
   double const corner = sqrt2 * leg;
   check_deviations(found, {corner, corner, 0, 0, corner, corner, 0, 0});
-  // The motion up to each stop, in whole cycles; 40 cycles until 41 taps have settled, for N45, N55, N65 and the last dwell;
-  // two dwells that are longer.
+  // The motion up to each stop, in whole cycles; 40 cycles until 41 taps have settled, for N45, N55, N65 and
+  // the last dwell; two dwells that are longer.
   double const moving = 2.002 + 1.001 + 1.001 + 2.002 + 1.001 + 1.001;
   CHECK(found["passes"][0]["time_s"].get<double>() == Approx(moving + 4 * 0.04 + 0.5 + 0.25));
 }

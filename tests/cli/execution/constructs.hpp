@@ -1,5 +1,5 @@
-// The programs of samples/motion/constructs: what each construct of NC programs does, against figures by hand. X and Y have
-// 500 mm/s and 10 m/s², Z has 250 mm/s and 5 m/s².
+// The programs of samples/motion/constructs: what each construct of NC programs does, against figures by
+// hand. X and Y have 500 mm/s and 10 m/s², Z has 250 mm/s and 5 m/s².
 #pragma once
 
 #include "cli/program.hpp"

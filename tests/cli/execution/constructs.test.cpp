@@ -11,8 +11,9 @@ using std::numbers::pi;
 using std::numbers::sqrt2;
 
 TEST_CASE("constructs: circles and helices") {
-  // A circle accelerates along the path with a = √(a_max² - (v²/r)²), which for 10 mm/s is a_max but for 1e-8, and a_max is
-  // that of the weaker axis. On a helix the plane's axes have the share 2πr / L of it: a = a_max L / 2πr.
+  // A circle accelerates along the path with a = √(a_max² - (v²/r)²), which for 10 mm/s is a_max but for
+  // 1e-8, and a_max is that of the weaker axis. On a helix the plane's axes have the share 2πr / L of it: a =
+  // a_max L / 2πr.
   double const weak = 5000;
   auto const helix = [](double r, double h, double a) {
     double const L = std::hypot(2 * pi * r, h);

@@ -1,4 +1,5 @@
-// NC programs of a hundred megabytes are usual in die and mould making; what is kept of one does not grow with it.
+// NC programs of a hundred megabytes are usual in die and mould making; what is kept of one does not grow
+// with it.
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"

@@ -48,7 +48,8 @@ TEST_CASE("a recording replays bit for bit, from its first cycle and from a late
       INFO(replayed.out << replayed.err);
       CHECK(replayed.status == 0);
       CHECK_THAT(replayed.out, Contains("bit for bit"));
-      // The outputs are those that `run` wrote: its last line holds the axes' outputs, the replay's every second number.
+      // The outputs are those that `run` wrote: its last line holds the axes' outputs, the replay's every
+      // second number.
       auto const run = folder.read("run.csv");
       auto const table = folder.read("replay.csv");
       std::string last = run.substr(run.rfind('\n', run.size() - 2) + 1);

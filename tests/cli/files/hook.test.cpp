@@ -1,4 +1,5 @@
-// Hooks name all files of a commit: those that the program itself would find are checked, and no name is a response file.
+// Hooks name all files of a commit: those that the program itself would find are checked, and no name is a
+// response file.
 #include "cli/program.hpp"
 #include "support/temporary_folder.hpp"
 

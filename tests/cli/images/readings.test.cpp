@@ -1,4 +1,5 @@
-// `design` of axisc.json: what a control makes of its filters, from the settings to the setpoints that a runtime makes.
+// `design` of axisc.json: what a control makes of its filters, from the settings to the setpoints that a
+// runtime makes.
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"

@@ -523,7 +523,8 @@ TEST_CASE("a recording's picture shows the deviation that compare names") {
     return run_axisc(words, there);
   };
   std::string const svg = with({"--recording", scope + "scope.csv", "-o", "-"}).out;
-  // The second panel has the difference in µm: its highest and lowest points are the largest deviation apart from 0.
+  // The second panel has the difference in µm: its highest and lowest points are the largest deviation apart
+  // from 0.
   auto const second = svg.find("class=\"curve before", svg.find("class=\"curve before") + 1);
   REQUIRE(second != std::string::npos);
   auto const drawn = places_of(svg, second);

@@ -1,4 +1,5 @@
-// The report says what lint, inspect, contour and diff say, and nothing in it needs a network, a script or trust.
+// The report says what lint, inspect, contour and diff say, and nothing in it needs a network, a script or
+// trust.
 #include "cli/compiled_machine.hpp"
 #include "cli/program.hpp"
 #include "support/golden.hpp"
