@@ -15,7 +15,7 @@
  *   axisrt.command-status u32 out  of the latest edge, repeated while filters change over or must stand still
  *   axisrt.fault      bit out    nothing is filtered: the thread's period is not the image's
  * Parameters:
- *   axisrt.N.scale    float rw   units of the list per unit of the machine: 10000: mm, degrees; 254000: inches;
+ *   axisrt.N.scale    float rw   units of the list per unit of the machine: 10000: mm, degrees; 254000: inch;
  *                                the filters begin at rest again when it changes
  */
 #include "axisrt.h"
