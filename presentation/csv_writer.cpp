@@ -13,6 +13,16 @@ std::string name_of(Column const& column) {
   return column.member.empty() ? column.key : column.key + "." + column.member;
 }
 
+/// A text or a list without anything in it.
+bool is_empty(Value const& value) {
+  return std::visit(
+      []<class Form>(Form const& form) {
+        if constexpr (requires { form.empty(); }) return form.empty();
+        return false;
+      },
+      value.form());
+}
+
 /// The rows of all tables of one key.
 class CsvWriter {
  public:
@@ -73,9 +83,10 @@ class CsvWriter {
   }
 
   [[nodiscard]] std::string text_of_cell(Value const& value) const {
-    if (value.is_nothing()) return {};
-    if (auto const* const quantity = std::get_if<Quantity>(&value.form()))
+    if (value.is_nothing() || is_empty(value)) return {};
+    if (auto const* const quantity = std::get_if<Quantity>(&value.form())) {
       return format_exact(quantity->value);
+    }
     if (auto const* const truth = std::get_if<bool>(&value.form())) return *truth ? "true" : "false";
     if (auto const* const symbol = std::get_if<Symbol>(&value.form())) return std::string(symbol->symbol);
     if (value.is_number()) return presentation::text_of(value, language_);

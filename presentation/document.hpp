@@ -22,10 +22,11 @@ struct Field {
   Words label;
   Value value;
   Audience audience = Audience::all;
+  std::string member = {};  ///< where neighbours of one key form an object in JSON: its member
 };
 
 /// A field that only programs read.
-[[nodiscard]] Field data(std::string key, Value value);
+[[nodiscard]] Field data(std::string key, Value value, std::string member = {});
 
 /// In JSON members of the enclosing object.
 struct Facts {
@@ -42,15 +43,33 @@ struct Column {
   bool is_head = false;  ///< says what a row is about: repeated where a wide table is divided
 };
 
+[[nodiscard]] Column column(std::string key, Words label, Unit unit = Unit::none, std::string member = {});
+[[nodiscard]] Column head_column(std::string key, Words label, Unit unit = Unit::none);
+/// A column that only programs read.
+[[nodiscard]] Column data_column(std::string key, std::string member = {});
+[[nodiscard]] std::vector<Column> data_columns(std::vector<std::string> keys);
+
+using Row = std::vector<Value>;
+
 /// In JSON an array of objects, in CSV rows.
 struct Table {
   std::string key;
   std::vector<Column> columns;
-  std::vector<std::vector<Value>> rows;  ///< as many values as columns
+  std::vector<Row> rows;  ///< as many values as columns
   Audience audience = Audience::all;
   std::size_t most_shown =
       static_cast<std::size_t>(-1);  ///< rows that people see; then how many more there are
+  std::size_t left_out = 0;          ///< rows that nobody sees: there were too many to keep
 };
+
+/// A row for each element.
+template <class Range, class ToRow>
+[[nodiscard]] Table table_of(std::string key, std::vector<Column> columns, Range const& elements,
+                             ToRow to_row) {
+  Table table{.key = std::move(key), .columns = std::move(columns), .rows = {}};
+  for (auto const& element : elements) table.rows.push_back(to_row(element));
+  return table;
+}
 
 /// A sentence for people; what programs need of it is a field.
 struct Paragraph {
@@ -81,6 +100,9 @@ struct Section {
   std::vector<Field> identity = {};
   Audience audience = Audience::all;
 };
+
+/// An object of fields that only programs read.
+[[nodiscard]] Section data_section(std::string key, std::vector<Field> fields);
 
 /// Sections of one kind; in JSON an array.
 struct Sections {

@@ -13,7 +13,7 @@ namespace axisc::presentation {
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
 /// The words in lines of at most `width` columns, each ended; all but the first begin with `indent` blanks. A longer
-/// word has its own line.
+/// word has its own line, and a number stays with its unit: with the word behind it.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
 /// The table's lines. Where they would be wider than `width`, columns are put below each other in groups, each with the

@@ -28,6 +28,7 @@ class TextWriter {
       rows.emplace_back(text_of(field.label, options_.language), text_of(field.value, options_.language));
       column = std::max(column, display_width(rows.back().first));
     }
+    if (!rows.empty()) end_table();
     column += 2;
     for (auto const& [label, value] : rows) {
       std::string lines = wrapped(value, std::max(options_.width, column + narrowest) - column);
@@ -42,9 +43,10 @@ class TextWriter {
     }
   }
   void operator()(Table const& table) {
-    if (is_for_people(table.audience) && !table.rows.empty()) {
-      text_ += table_text(shown_table(table, options_.language), options_.width);
-    }
+    if (!is_for_people(table.audience) || table.rows.empty()) return;
+    end_table();
+    text_ += table_text(shown_table(table, options_.language), options_.width);
+    table_end_ = text_.size();
   }
   void operator()(Paragraph const& paragraph) {
     text_ += wrapped(text_of(paragraph.words, options_.language), options_.width);
@@ -76,7 +78,16 @@ class TextWriter {
  private:
   static constexpr std::size_t narrowest = 20;  ///< of a value beside its label
 
-  void title(Words const& words) { text_ += paint_(Style::strong, text_of(words, options_.language)) + "\n"; }
+  /// A line between a table and what else has columns.
+  void end_table() {
+    if (table_end_ == text_.size()) text_ += '\n';
+  }
+
+  void title(Words const& words) {
+    auto lines = wrapped(text_of(words, options_.language), options_.width);
+    lines.pop_back();
+    text_ += paint_(Style::strong, lines) + "\n";
+  }
   void blocks(std::vector<Block> const& all) {
     for (auto const& block : all) std::visit(*this, block);
   }
@@ -84,6 +95,7 @@ class TextWriter {
   WriterOptions const& options_;
   Painter paint_;
   std::string text_;
+  std::size_t table_end_ = std::string::npos;  ///< of the last table
 };
 
 }  // namespace

@@ -36,6 +36,12 @@ struct TextForm {
     for (auto const& name : names) (text += text.empty() ? "" : ", ") += printable(name);
     return text.empty() ? "-" : text;
   }
+  std::string operator()(NameLists const& lists) const {
+    std::string text;
+    for (auto const& names : lists) (text += text.empty() ? "" : "; ") += (*this)(names);
+    return text.empty() ? "-" : text;
+  }
+  std::string operator()(Wording const& wording) const { return (*this)(wording.in(language)); }
 };
 
 }  // namespace
@@ -49,6 +55,11 @@ Words& Words::operator=(Words const& other) = default;
 Words& Words::operator=(Words&& other) noexcept = default;
 Words::~Words() = default;
 
+Value quantity_or(Nothing nothing, std::optional<double> value, Unit unit, Digits digits) {
+  if (!value) return nothing;
+  return Quantity{.value = *value, .unit = unit, .digits = digits};
+}
+
 std::string text_of(Value const& value, Language language, Units units) {
   return std::visit(TextForm{.language = language, .units = units}, value.form());
 }
@@ -59,6 +70,10 @@ std::string text_of(Words const& words, Language language) {
     message.arguments.push_back({name, text_of(value, language)});
   }
   return render(message, language, Values::as_given);
+}
+
+Wording wording_of(Words const& words) {
+  return {text_of(words, Language::english), text_of(words, Language::german)};
 }
 
 }  // namespace axisc::presentation

@@ -1,6 +1,7 @@
 // Values of an answer, and sentences about them. Neither knows its language: it is chosen when they are written.
 #pragma once
 
+#include "diagnostics/wording.hpp"
 #include "presentation/quantity.hpp"
 
 #include <concepts>
@@ -45,11 +46,13 @@ struct Symbol {
 };
 
 using Names = std::vector<std::string>;
+using NameLists = std::vector<Names>;
 
 /// What a field or a cell holds. Texts are foreign, names and the like: people see their printable form.
 class Value {
  public:
-  using Form = std::variant<Nothing, bool, std::int64_t, Quantity, std::string, Symbol, Words, Names>;
+  using Form = std::variant<Nothing, bool, std::int64_t, Quantity, std::string, Symbol, Words, Names,
+                            NameLists, Wording>;
 
   Value() = default;
   Value(Nothing nothing) : form_(std::move(nothing)) {}
@@ -61,6 +64,14 @@ class Value {
   Value(Symbol symbol) : form_(std::move(symbol)) {}
   Value(Words words) : form_(std::move(words)) {}
   Value(Names names) : form_(std::move(names)) {}
+  Value(NameLists lists) : form_(std::move(lists)) {}
+  Value(Wording wording) : form_(std::move(wording)) {}
+  Value(double number) : form_(Quantity{.value = number}) {}
+  /// Nothing without a reason where there is none.
+  template <class Known>
+  Value(std::optional<Known> const& known) {
+    if (known) *this = Value(*known);
+  }
   template <std::integral Number>
   Value(Number number) {
     if constexpr (std::same_as<Number, bool>) {
@@ -86,6 +97,10 @@ class Value {
   Form form_;
 };
 
+/// The quantity, or nothing.
+[[nodiscard]] Value quantity_or(Nothing nothing, std::optional<double> value, Unit unit = Unit::none,
+                                Digits digits = {});
+
 /// The value of a placeholder.
 struct NamedValue {
   std::string_view name;
@@ -100,5 +115,6 @@ enum class Units : std::uint8_t {
 /// For people: one line, printable.
 [[nodiscard]] std::string text_of(Value const& value, Language language, Units units = Units::shown);
 [[nodiscard]] std::string text_of(Words const& words, Language language);
+[[nodiscard]] Wording wording_of(Words const& words);
 
 }  // namespace axisc::presentation
