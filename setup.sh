@@ -6,14 +6,14 @@
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build ccache pkg-config
+  g++ cmake ninja-build pkg-config
   libboost1.81-dev libfmt-dev nlohmann-json3-dev libcli11-dev libsodium-dev libpugixml-dev
   libvalijson-dev
   catch2 librapidcheck-dev
 )
 if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
   packages+=(
-    clang clang-format clang-tidy libclang-rt-14-dev
+    ccache clang clang-format clang-tidy libclang-rt-14-dev
     g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
     clang-tools-14 lld llvm g++-mingw-w64-x86-64-posix wine64
     unzip mandoc groff-base zsh fish python3-jsonschema python3-yaml

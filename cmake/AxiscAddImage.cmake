@@ -10,9 +10,10 @@
 #     [OPTIONS <option>...]  further options of `axisc compile`
 #     [NOT_IN_ALL])          only built when something needs it
 #
-# The image is made again when one of the files changes that it was made from: lists, default lists, NC programs, settings
-# and schema files, which the program itself names. An image that would be the same is not touched; with Ninja nothing
-# that depends on it is built then. The target's property AXISC_IMAGE is the image's path.
+# The image is made again when one of the files changes that it was made from: lists, default lists, NC
+# programs, settings and schema files, which the program itself names. An image that would be the same is not
+# touched; with Ninja nothing that depends on it is built then. The target's property AXISC_IMAGE is the
+# image's path.
 include_guard()
 
 function(axisc_add_image target input)

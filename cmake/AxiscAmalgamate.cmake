@@ -1,6 +1,6 @@
 # cmake -DROOT=... -DSOURCES=a.cpp,b.cpp -DOUTPUT=... -P AxiscAmalgamate.cmake
-# Writes the runtime as one source: every header of its own where it is first included, tables (.inc) each time. The public header
-# stays beside it.
+# Writes the runtime as one source: every header of its own where it is first included, tables (.inc) each
+# time. The public header stays next to it.
 cmake_minimum_required(VERSION 3.25)
 set(seen "")
 

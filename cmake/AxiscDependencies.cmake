@@ -1,4 +1,12 @@
 # Everything comes from packages; setup.sh names the Debian ones, vcpkg.json the same for other systems.
+# fmt is a library; a static program and builds for other systems, for which Debian has none, compile its
+# headers.
+add_library(axisc_fmt INTERFACE)
+if(AXISC_STATIC OR AXISC_COMPILE_LIBRARIES)
+  target_link_libraries(axisc_fmt INTERFACE fmt::fmt-header-only)
+else()
+  target_link_libraries(axisc_fmt INTERFACE fmt::fmt)
+endif()
 if(AXISC_COMPILE_LIBRARIES)
   include(AxiscSources)
   return()

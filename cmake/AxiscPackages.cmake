@@ -1,8 +1,8 @@
-# Packages: cpack --config build/packages/CPackConfig.cmake -G DEB; with the presets static and windows, -G TXZ and ZIP (.ci/packages
-# and .ci/windows do that).
+# Packages: cpack --config build/packages/CPackConfig.cmake -G DEB; with the presets static and windows, -G
+# TXZ and ZIP (.ci/packages and .ci/windows do that).
 include(AxiscParts)
 set(documents "${CMAKE_INSTALL_DATADIR}/doc/axisc")
-# What the program itself writes is missing in cross builds, and where only the program was built.
+# Files that the program itself writes are missing in cross builds, and where only the program was built.
 install(DIRECTORY "${AXISC_SHARE}/" DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT axisc OPTIONAL)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/schemas/" DESTINATION ${CMAKE_INSTALL_DATADIR}/axisc COMPONENT axisc
   FILES_MATCHING PATTERN "*.json")
@@ -63,7 +63,7 @@ axisrt executes the filters of coefficient images that axisc compiles, in the
 real-time task of a controller: no allocation, no system calls, a C interface.
 This package contains the static library, the header, and what CMake and
 pkg-config need to find them.")
-# Also what only Debian asks for: compressed pages, changelog and copyright.
+# Including what only Debian asks for: compressed pages, changelog and copyright.
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_BINARY_DIR}/AxiscDebian.cmake")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/AxiscDebian.cmake.in" "${CPACK_PRE_BUILD_SCRIPTS}" @ONLY)
 include(CPack)

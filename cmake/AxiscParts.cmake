@@ -1,5 +1,6 @@
-# What of other projects the program contains: axisc.spdx.json, a bill of materials (SPDX 2.3), and the licences in one text.
-# Libraries that are linked dynamically are not contained. Both files are the same bytes for the same inputs.
+# Parts of other projects in the program: axisc.spdx.json, a bill of materials (SPDX 2.3), and the licences in
+# one text. Libraries that are linked dynamically are not contained. Both files are the same bytes for the
+# same inputs.
 set(licences "")
 
 # axisc_part(NAME VERSION LICENCE SOURCE FILE): LICENCE as SPDX writes it, FILE with its text.

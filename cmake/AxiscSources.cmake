@@ -1,5 +1,5 @@
-# Dependencies of builds for systems that Debian has no libraries for: those without code from this system's packages, the
-# others compiled from Debian's sources. The targets are called as in AxiscDependencies.cmake.
+# Dependencies of builds for systems that Debian has no libraries for: those without code from this system's
+# packages, the others compiled from Debian's sources. The targets are called as in AxiscDependencies.cmake.
 set(AXISC_LIBRARY_SOURCES "$ENV{AXISC_LIBRARY_SOURCES}" CACHE PATH "Where cmake/fetch-sources put the sources of libraries")
 if(NOT AXISC_LIBRARY_SOURCES)
   set(AXISC_LIBRARY_SOURCES "${CMAKE_BINARY_DIR}/sources" CACHE PATH "" FORCE)
@@ -28,7 +28,8 @@ else()
   find_package(Threads REQUIRED)
 endif()
 
-# Versions of what the program contains, for its bill of materials. The sources are those of the packages of the same version.
+# Versions of what the program contains, for its bill of materials. The sources are those of the packages of
+# the same version.
 function(axisc_debian_version variable package)
   execute_process(COMMAND dpkg-query --show "--showformat=\${source:Upstream-Version}" ${package} OUTPUT_VARIABLE version
     COMMAND_ERROR_IS_FATAL ANY)

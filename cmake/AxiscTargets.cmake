@@ -1,7 +1,11 @@
 # One function per kind of target, so that every folder's CMakeLists.txt is a list of files and neighbours.
 
-# Checkouts in other places share what was compiled before.
+# Checkouts in other places share what was compiled before. Without a cache, nothing can be found in it, and
+# every source would be read twice.
 find_program(AXISC_CCACHE ccache)
+if("$ENV{CCACHE_DIR}" STREQUAL "" AND NOT EXISTS "$ENV{HOME}/.cache/ccache" AND NOT EXISTS "$ENV{HOME}/.ccache")
+  set(AXISC_CCACHE "")
+endif()
 if(AXISC_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT MSVC AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(launcher "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
     CCACHE_SLOPPINESS=pch_defines,time_macros "${AXISC_CCACHE}")
@@ -25,16 +29,17 @@ function(axisc_compile_options target)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
   if(AXISC_SANITIZE)
-    # Null, object sizes and types of objects cost a third of the compile time and find what the address sanitizer or the
-    # processor reports anyway; alignment concerns the runtime alone, which reads numbers where they lie.
+    # Null, object sizes and types of objects cost a third of the compile time and find what the address
+    # sanitizer or the processor reports anyway; alignment concerns the runtime alone, which reads numbers
+    # where they lie.
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize=null,alignment,vptr,object-size
       -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
 endfunction()
 
-# Sources of the program alone, never of the runtime, which others link. Nothing of a static program moves: tables of pointers
-# need no relocation.
+# Sources of the program alone, never of the runtime, which others link. A static program is not relocated:
+# tables of pointers need no relocation.
 function(axisc_program_options target)
   axisc_compile_options(${target})
   if(AXISC_STATIC)
@@ -43,30 +48,32 @@ function(axisc_program_options target)
   endif()
 endfunction()
 
-# Sources that calculate and read no foreign bytes: extended precision is what costs most under sanitizers, to compile and
-# to run, and what it calculates is compared with independent figures by the tests of every build.
+# Sources that calculate and read no foreign bytes: extended precision costs most under sanitizers, to compile
+# and to run, and the tests of every build compare its results with independent figures.
 function(axisc_without_sanitizers)
   if(AXISC_SANITIZE)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-sanitize=all SKIP_PRECOMPILE_HEADERS ON)
   endif()
 endfunction()
 
-# The standard headers, read once for all libraries: half of what most sources cost to compile. No source relies on it:
-# the tidy preset and the cross-built runtime compile without.
+# The standard headers, read once for all libraries: half of what most sources cost to compile. No source
+# relies on it: the tidy preset and the cross-built runtime compile without.
+set(AXISC_STANDARD_HEADERS <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map>
+  <memory> <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector>)
 function(axisc_standard_headers)
   set(source "${CMAKE_BINARY_DIR}/standard_headers.cpp")
   file(CONFIGURE OUTPUT "${source}" CONTENT "// Nothing: its target precompiles the standard headers.\n")
   add_library(axisc_standard_headers OBJECT "${source}")
   axisc_program_options(axisc_standard_headers)
-  target_precompile_headers(axisc_standard_headers PRIVATE <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint>
-    <filesystem> <limits> <map> <memory> <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector>)
+  target_precompile_headers(axisc_standard_headers PRIVATE ${AXISC_STANDARD_HEADERS})
 endfunction()
 
 # axisc_library(grammar DEPENDS diagnostics PRIVATE_DEPENDS Boost::headers)
-# makes the target axisc_grammar of all sources in the folder and below it, but those under EXCEPT (paths relative to the
-# folder); SOURCES adds what the build writes. DEPENDS without "::" are folders of this project.
+# makes the target axisc_grammar of all sources in the folder and below it, except those under EXCEPT (paths
+# relative to the folder); SOURCES adds sources that the build writes. DEPENDS without "::" are folders of
+# this project. HEADERS are included by nearly all of its sources: read once, together with the standard ones.
 function(axisc_library folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS;HEADERS" ${ARGN})
   set(target axisc_${folder})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp")
   foreach(except IN LISTS ARG_EXCEPT)
@@ -75,7 +82,12 @@ function(axisc_library folder)
   add_library(${target} STATIC ${sources} ${ARG_SOURCES})
   add_library(axisc::${folder} ALIAS ${target})
   axisc_program_options(${target})
-  target_precompile_headers(${target} REUSE_FROM axisc_standard_headers)
+  if(ARG_HEADERS)
+    list(TRANSFORM ARG_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/" REGEX "^[a-z_/]+[.]hpp$")
+    target_precompile_headers(${target} PRIVATE ${AXISC_STANDARD_HEADERS} ${ARG_HEADERS})
+  else()
+    target_precompile_headers(${target} REUSE_FROM axisc_standard_headers)
+  endif()
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
   foreach(neighbour IN LISTS ARG_DEPENDS)
     if(neighbour MATCHES "::")
@@ -89,15 +101,15 @@ function(axisc_library folder)
   endif()
 endfunction()
 
-# Sources of tests: the code under test is optimised, what calls it need not be, and Catch2 is read once.
+# Sources of tests: the code under test is optimised, its callers need not be, and Catch2 is read once.
 function(axisc_test_options target)
   axisc_compile_options(${target})
   target_compile_options(${target} PRIVATE -O0)
   target_precompile_headers(${target} REUSE_FROM axisc_test_support)
 endfunction()
 
-# axisc_test(grammar DEPENDS axisc_grammar) makes the program test_grammar of all sources in the folder and in those
-# directly below it, and the test "grammar". SOURCES adds others; with ONLY these are all.
+# axisc_test(grammar DEPENDS axisc_grammar) makes the program test_grammar of all sources in the folder and in
+# those directly below it, and the test "grammar". SOURCES adds others; with ONLY these are all.
 function(axisc_test name)
   cmake_parse_arguments(ARG "ONLY" "" "SOURCES;EXCEPT;DEPENDS" ${ARGN})
   set(target test_${name})

@@ -1,4 +1,5 @@
-# AXISC_DATE, AXISC_COMMIT and AXISC_COMPILER: what the program and its packages say of their origin. No clock is read.
+# AXISC_DATE, AXISC_COMMIT and AXISC_COMPILER: the origin of the program and its packages, as they report it.
+# No clock is read.
 set(changelog "${PROJECT_SOURCE_DIR}/CHANGELOG.md")
 file(STRINGS "${changelog}" heading REGEX "^## ${PROJECT_VERSION} ")
 string(REGEX MATCH "[0-9]+-[0-9]+-[0-9]+" AXISC_DATE "${heading}")

@@ -8,7 +8,7 @@
 #   cmake -DLIST=… -DSPACE=… -DHEADER=… -DOUTPUT=… -P EmbedPages.cmake
 
 function(axisc_embed_pages target space header)
-  # The list is a file of its own so that a page that is taken away is noticed like one that changes.
+  # The list is a file of its own so that a removed page is noticed like a changed one.
   set(list "${CMAKE_CURRENT_BINARY_DIR}/pages.list")
   file(CONFIGURE OUTPUT "${list}" CONTENT "${ARGN}")
   set(output "${CMAKE_CURRENT_BINARY_DIR}/generated/pages.cpp")
@@ -28,7 +28,7 @@ function(axisc_write_pages pages space header output)
   set(rows "")
   foreach(path IN LISTS pages)
     file(READ "${path}" text)
-    # The heading says what the program knows: a rule's code and name.
+    # The heading repeats what the program knows: a rule's code and name.
     string(REGEX REPLACE "^# [^\n]*\n+" "" text "${text}")
     string(LENGTH "${text}" length)
     if(length GREATER AXISC_PAGE_LIMIT)

@@ -1,8 +1,10 @@
 # Files as constants of the program.
 #
-#   axisc_embed_text(target namespace NAME=FILE...)    adds generated/embedded.hpp with `std::string_view NAME();`
+#   axisc_embed_text(target namespace NAME=FILE...)    adds generated/embedded.hpp with
+#                                                      `std::string_view NAME();`
 #
-# The same file, run as a script, writes the sources: cmake -DSPACE=… -DFOLDER=… -DENTRIES=… -P EmbedText.cmake
+# The same file, run as a script, writes the sources:
+#   cmake -DSPACE=… -DFOLDER=… -DENTRIES=… -P EmbedText.cmake
 
 function(axisc_embed_text target space)
   set(entries ${ARGN})

@@ -1,8 +1,8 @@
 # Every folder cli/help/COMMAND is the help of a command, in en.md and de.md; cli/help/axisc is that of the
 # program. Nothing else lists them.
 #
-#   axisc_add_help(target)    adds the pages to the target, with the list of their folders; both are written again
-#                             when a page changes, comes or goes
+#   axisc_add_help(target)    adds the pages to the target, with the list of their folders; both are written
+#                             again when a page changes, comes or goes
 
 include(EmbedPages)
 

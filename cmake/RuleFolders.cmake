@@ -1,8 +1,8 @@
-# Every folder validator/rules/AXNNNN-name is a rule: rule.cpp with its row and check, its pages en.md and de.md, and the
-# samples that the tests run. Nothing else lists the rules.
+# Every folder validator/rules/AXNNNN-name is a rule: rule.cpp with its row and check, its pages en.md and
+# de.md, and the samples that the tests run. Nothing else lists the rules.
 #
-#   axisc_add_rules(target)    adds the rules to the target, with the table of their rows and the table of their pages;
-#                              both are written again when a folder changes, comes or goes
+#   axisc_add_rules(target)    adds the rules to the target, with the table of their rows and the table of
+#                              their pages; both are written again when a folder changes, comes or goes
 
 include(EmbedPages)
 

@@ -12,17 +12,17 @@ namespace axisc::codegen {
 inline constexpr std::uint32_t no_kernel = 0xFFFFFFFF;
 
 struct MachineKernel {
-  design::KernelSpecification specification;  ///< what its type ignores has its default
+  design::KernelSpecification specification;  ///< with default values where its type ignores them
   KnownDesigns::Kernel compiled;              ///< never null
 };
 
 class CompiledKernels {
  public:
-  /// `designs` lives longer.
+  /// `designs` must outlive this.
   CompiledKernels(KnownDesigns& designs, design::CycleTime cycle_time)
       : designs_(designs), cycle_time_(cycle_time) {}
 
-  /// Index of the kernel, which is new or not; no_kernel where the signal would pass unchanged.
+  /// Index of the kernel, which is added if it is new; no_kernel where the signal would pass unchanged.
   [[nodiscard]] std::uint32_t index_of(design::KernelSpecification const& specification);
   [[nodiscard]] CompiledKernel const& operator[](std::uint32_t index) const {
     return *kernels_[index].compiled;

@@ -7,8 +7,8 @@
 
 namespace axisc::codegen {
 
-/// A control for each axis with active stages and for each gantry slave of one. Call it when the filters of all axes stand
-/// in their tables: those of the stages follow.
+/// A control for each axis with active stages and for each gantry slave of one. To be called when the filters
+/// of all axes are in their tables: those of the stages follow.
 void add_control_records(machine::Machine const& machine, FilterRecords& filters, ImageTables& tables);
 
 }  // namespace axisc::codegen

@@ -8,7 +8,7 @@
 
 namespace axisc::codegen {
 
-/// What an axis may do, in position units and NC cycles.
+/// The limits of an axis, in position units and NC cycles.
 struct MotionLimits {
   double velocity = 0;      ///< units per cycle
   double acceleration = 0;  ///< units per cycle and cycle
@@ -21,9 +21,9 @@ struct MotionLimits {
 /// Longest fade; where a longer one would be needed, kernels change at standstill only.
 inline constexpr std::uint32_t longest_fade = 4096;
 
-/// The fewest cycles F after which the fade  A + w (B - A), w = t³ (10 - 15 t + 6 t²), adds at most 25 % of the velocity
-/// limit v and 25 % of the acceleration limit a. `distance` is L = g Σ|S_A - S_B|, g the peak gain of the filters beside
-/// the kernel, so that |B - A| <= L v and its change in a cycle <= L a:
+/// The fewest cycles F after which the fade  A + w (B - A), w = t³ (10 - 15 t + 6 t²), adds at most 25 % of
+/// the velocity limit v and 25 % of the acceleration limit a. `distance` is L = g Σ|S_A - S_B|, g the peak
+/// gain of the other filters of the axis, so that |B - A| <= L v and its change in a cycle <= L a:
 ///     15/(8 F) L v <= v/4,   10/(√3 F²) L v + 15/(4 F) L a <= a/4
 /// 0 where that takes more than longest_fade cycles, or a limit is 0; at least 1.
 [[nodiscard]] std::uint32_t fade_cycles(double distance, MotionLimits const& limits);

@@ -65,7 +65,7 @@ class TextPool {
   std::unordered_map<std::string, TextRange> ranges_;
 };
 
-/// What the header contains besides sizes and checksums.
+/// The contents of the header besides sizes and checksums.
 struct ImageHeader {
   std::uint32_t cycle_time_ns = 0;
   std::uint32_t axis_count = 0;

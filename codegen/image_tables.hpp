@@ -31,8 +31,8 @@ struct ImageTables {
 
   /// The samples' place; equal self-tests are stored once.
   [[nodiscard]] Range place_samples(SelfTest const& test);
-  /// All sections by rising kind. Kernels, channels and position control only where there are any; names, self-tests and
-  /// source map not in a stripped image.
+  /// All sections by rising kind. Kernels, channels and position control only where there are any; names,
+  /// self-tests and source map not in a stripped image.
   [[nodiscard]] std::vector<SectionContent const*> contents(bool strip) const;
 };
 

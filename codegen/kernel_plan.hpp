@@ -49,8 +49,8 @@ struct KernelPlan {
 [[nodiscard]] design::KernelSpecification with_parameters(design::KernelSpecification specification,
                                                           machine::FilterParameters const& parameters);
 
-/// `peak_gain(axis)` is that of the axis' other filters. Designs every kernel that a command can call for. An axis that
-/// several groups name belongs to the first of them.
+/// `peak_gain(axis)` is that of the axis' other filters. Designs every kernel that a command can call for. An
+/// axis that several groups name belongs to the first of them.
 [[nodiscard]] KernelPlan plan_kernels(machine::Machine const& machine, CompiledKernels& kernels,
                                       std::function<double(std::size_t axis)> const& peak_gain);
 

@@ -1,6 +1,6 @@
-// What a run has designed so far. The machines of a fleet have most of their filters in common, and what a
-// filter becomes depends on nothing but its specification and the cycle time, so each is designed, proved and
-// given its self-test once.
+// The designs of a run so far. The machines of a fleet have most of their filters in common, and a design
+// depends on nothing but its specification and the cycle time, so each is designed, proved and given its
+// self-test once.
 #pragma once
 
 #include "codegen/compiled_design.hpp"
@@ -17,8 +17,8 @@
 
 namespace axisc::codegen {
 
-/// Results by a key of numbers, bit for bit. Several threads may ask. Where two ask at once for what is not
-/// there yet, both make it, and both get the one that was there first. Some thousand results are kept, then
+/// Results by a key of numbers, bit for bit. Several threads may ask. If two ask at once for a missing
+/// result, both compute it, and both get the one that was stored first. Some thousand results are kept, then
 /// all are forgotten.
 template <typename Result>
 class SharedResults {
@@ -56,8 +56,8 @@ class KnownDesigns {
   [[nodiscard]] Filter filter(design::FilterSpecification const& specification, design::CycleTime cycle_time);
   [[nodiscard]] Filter oscillator(design::OscillatorSpecification const& specification,
                                   design::CycleTime cycle_time);
-  /// Of a kernel that changes the signal. What its type ignores must have its default, otherwise equal
-  /// kernels are designed twice.
+  /// For a kernel that changes the signal. Values that its type ignores must have their defaults, otherwise
+  /// equal kernels are designed twice.
   [[nodiscard]] Kernel kernel(design::KernelSpecification const& specification, design::CycleTime cycle_time);
   /// Figures of filters in series, at least one.
   [[nodiscard]] ChainProof chain(std::span<design::FilterSpecification const> specifications,

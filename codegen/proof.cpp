@@ -5,7 +5,7 @@
 namespace axisc::codegen {
 namespace {
 
-/// Decides nothing: no proof says when a filter has settled.
+/// Not used for any decision: no proof states when a filter has settled.
 constexpr double settled_within = 1e-9;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is known about a filter and a chain before they run; the image's proof records.
+// Facts about a filter and a chain, known before they run; the image's proof records.
 #pragma once
 
 #include "design/filter_design.hpp"
@@ -21,7 +21,8 @@ struct ChainProof {
   double delay_cycles = 0;
 };
 
-/// The figures are the same on every host. Cost: that of design::step_figures, for design::longest_summation cycles at most.
+/// The figures are the same on every host. Cost: that of design::step_figures, for design::longest_summation
+/// cycles at most.
 [[nodiscard]] FilterProof prove_filter(design::FilterDesign const& filter);
 /// `chain` is not empty.
 [[nodiscard]] ChainProof prove_chain(std::span<design::FilterDesign const> chain);

@@ -28,7 +28,7 @@ template <std::unsigned_integral T>
   return value;
 }
 
-/// A record that is being written. The bytes belong to somebody else and are as long as the record.
+/// A record that is being written. It does not own the bytes, which are as long as the record.
 template <class RecordType>
 class Record {
  public:
@@ -51,7 +51,7 @@ class Record {
   std::span<std::byte> bytes_;
 };
 
-/// A record that is being read. The bytes belong to somebody else and are at least as long as the record.
+/// A record that is being read. It does not own the bytes, which are at least as long as the record.
 template <class RecordType>
 class ConstRecord {
  public:

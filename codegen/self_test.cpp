@@ -13,7 +13,7 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-/// What the expected outputs are computed in.
+/// The number type of the expected outputs.
 struct Extended {
   using Number = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
   static Number multiply_add(Number const& a, Number const& b, Number const& c) { return a * b + c; }
@@ -73,7 +73,7 @@ class FilterModel {
     return x;
   }
 
-  /// What the cascade adds to x, or puts in its place.
+  /// The cascade's contribution to x, or its replacement.
   Number step_sections(Number const& x) {
     Number d = x - previous_;
     Number sum(0);

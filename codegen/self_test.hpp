@@ -19,10 +19,10 @@ struct SelfTest {
 /// A processor passes when no output is further off than 2 ulp of the largest input, which is 1 and comes
 /// last.
 ///
-/// Round-off piles up with every cycle, so the long part of the sequence is small against the tolerance. What
-/// the step to 1 adds depends on the last bits of the states; where double arithmetic, with or without
-/// contraction, would use up more than half of the tolerance, a slightly smaller amplitude of the long part
-/// is taken. Cost: about 0.2 ms.
+/// Round-off accumulates with every cycle, so the long part of the sequence is small against the tolerance.
+/// The error that the step to 1 adds depends on the last bits of the states; where double arithmetic, with or
+/// without contraction, would use up more than half of the tolerance, a slightly smaller amplitude of the
+/// long part is taken. Cost: about 0.2 ms.
 [[nodiscard]] SelfTest make_self_test(design::FilterDesign const& filter);
 
 /// Samples of a linear-phase kernel that changes the signal.

@@ -1,4 +1,4 @@
-// SHA-256 over what an image was made from: names and bytes of its lists, never their location.
+// SHA-256 over the sources of an image: names and bytes of its lists, never their location.
 #pragma once
 
 #include "configuration/machine/machine.hpp"
@@ -13,10 +13,10 @@ namespace axisc::codegen {
 using Sha256 = std::array<std::uint8_t, 32>;
 
 [[nodiscard]] Sha256 sha256(std::string_view bytes);
-/// Of the bytes of one source.
+/// The digest of one source's bytes.
 [[nodiscard]] Sha256 sha256(machine::MachineList const& list);
 
-/// For each list its name, a zero byte, its size as little-endian u64, its bytes.
+/// The digest of each list's name, a zero byte, its size as little-endian u64, its bytes.
 [[nodiscard]] Sha256 source_digest(std::span<machine::MachineList const> lists);
 
 }  // namespace axisc::codegen

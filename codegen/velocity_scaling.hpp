@@ -12,7 +12,8 @@ namespace axisc::codegen {
 [[nodiscard]] double velocity_limit(machine::PositionControl const& control, double v_max);
 
 /// Drive increments per µm/s (1e-3 °/s). Position control
-///   in the drive  v_reso_num/v_reso_denom, distances in 1 µm (0.001°): ·60 per minute, ·1 per second, ·T per NC cycle
+///   in the drive  v_reso_num/v_reso_denom, distances in 1 µm (0.001°): ·60 per minute, ·1 per second,
+///                 ·T per NC cycle
 ///   in the CNC    6e-5 · multi_gain_z/multi_gain_n
 ///   not known     0
 [[nodiscard]] double increments_per_velocity(machine::DriveScaling const& scaling,

@@ -12,9 +12,11 @@ namespace axisc::configuration {
 namespace {
 
 constexpr std::string_view streamed_program = "streaming_prog_file";
-constexpr std::array<std::string_view, 6> program_names = {"start_init_prog_file", "final_prog_file",
-                                                           "m6_prog_file",         "g800_prog_file[]",
-                                                           streamed_program,       "d_prog_file"};
+constexpr std::array<std::string_view, 16> program_names = {
+    "start_init_prog_file", "final_prog_file", "m6_prog_file",  "d_prog_file",
+    streamed_program,       "g80_prog_file",   "g81_prog_file", "g82_prog_file",
+    "g83_prog_file",        "g84_prog_file",   "g85_prog_file", "g86_prog_file",
+    "g87_prog_file",        "g88_prog_file",   "g89_prog_file", "g800_prog_file[]"};
 
 /// The entry for which `is_it` holds, which is new at the end where there was none.
 template <typename Entry, typename Is>

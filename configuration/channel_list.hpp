@@ -1,5 +1,5 @@
-// A channel list: which axes move together, how programs call them, and which programs run without being called.
-// Parameters P-CHAN.
+// A channel list: which axes move together, how programs call them, and which programs run without being
+// called. Parameters P-CHAN.
 #pragma once
 
 #include "configuration/files.hpp"
@@ -18,7 +18,7 @@ namespace axisc::configuration {
 struct ChannelAxis {
   std::uint32_t index = 0;
   std::optional<ListCount> number;  ///< log_achs_nr: kopf.achs_nr of the axis
-  std::optional<LocatedText> name;  ///< bezeichnung: what programs call it
+  std::optional<LocatedText> name;  ///< bezeichnung: its name in programs
 };
 
 /// A pair of coupled axes, by their numbers.
@@ -28,7 +28,7 @@ struct CoupledPair {
   std::optional<ListCount> slave, master;
 };
 
-/// A program that the control runs by itself.
+/// A program that the control runs by itself, or instead of a G or M function.
 struct ChannelProgram {
   std::string parameter;  ///< start_init_prog_file, m6_prog_file, …
   LocatedText file;
@@ -49,10 +49,12 @@ struct ChannelList {
 };
 
 [[nodiscard]] ChannelList read_channel_list(SourceText const& text, SourceId source);
-/// Programs that a channel does not name are those of the default list of all channels; its folders come last.
+/// Programs that a channel does not name are those of the default list of all channels; its folders come
+/// last.
 void add_default_programs(ChannelList& channel, ChannelList const& defaults);
 
-/// Where a program of the channel lies: found from the start-up list on, in the channel's folders or without them.
+/// Where a program of the channel lies: found from the start-up list on, in the channel's folders or without
+/// them.
 [[nodiscard]] std::optional<FoundList> find_program(Files& files, std::string const& start_up,
                                                     ChannelList const& channel,
                                                     ChannelProgram const& program);

@@ -30,8 +30,8 @@ bool is_utf16(std::string_view head) {
   return head.size() >= 16 && most * 10 >= head.size() * 4 && least * 20 <= head.size();
 }
 
-/// The number of control characters that do not occur in text. Without branches, and in pieces of a fixed size, so that
-/// compilers vectorize the loop.
+/// The number of control characters that do not occur in text. Without branches, and in pieces of a fixed
+/// size, so that compilers vectorize the loop.
 std::size_t count_controls(std::string_view text) {
   auto const is_control = [](char c) {
     auto const byte = static_cast<unsigned char>(c);
@@ -39,7 +39,8 @@ std::size_t count_controls(std::string_view text) {
     return static_cast<unsigned char>((byte < 0x20 && !is_white) || byte == 0x7F);
   };
   constexpr std::size_t piece = 128;
-  // Prefetches: text that is not in the caches comes from farther away than the processor looks ahead by itself.
+  // Prefetches: text that is not in the caches comes from farther away than the processor looks ahead by
+  // itself.
   constexpr std::size_t line_of_cache = 64;
   constexpr std::size_t ahead = 2048;
   std::size_t count = 0;

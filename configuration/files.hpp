@@ -1,5 +1,5 @@
-// Interface for reading sources: from the disk for the command line, from editor buffers for a language server, from a
-// map in tests.
+// Interface for reading sources: from the disk for the command line, from editor buffers for a language
+// server, from a map in tests.
 #pragma once
 
 #include <cstddef>
@@ -39,15 +39,15 @@ class Files {
   virtual ~Files() = default;
   /// The bytes of `path`, or why they cannot be read.
   [[nodiscard]] virtual std::variant<std::string, FileError> read(std::string const& path) = 0;
-  /// Passes the bytes of `path` on in pieces, in their order, or returns why it cannot: an NC program may be too long
-  /// to be kept in memory. Every call begins at the start of the file. The default implementation reads the whole file
-  /// and passes it in one piece.
+  /// Passes the bytes of `path` on in pieces, in their order, or returns why it cannot: an NC program may be
+  /// too long to be kept in memory. Every call begins at the start of the file. The default implementation
+  /// reads the whole file and passes it in one piece.
   [[nodiscard]] virtual std::optional<FileError> read_pieces(std::string const& path,
                                                              PieceReceiver const& receive);
   /// True for a file that could be read. The default implementation reads it.
   [[nodiscard]] virtual bool is_file(std::string const& path);
-  /// The names in a folder, in any order; `folder` ends in a separator or is empty for the working folder. None where it
-  /// cannot be read, and from the default implementation.
+  /// The names in a folder, in any order; `folder` ends in a separator or is empty for the working folder.
+  /// None where it cannot be read, and from the default implementation.
   [[nodiscard]] virtual std::vector<std::string> names_in(std::string const& folder);
   /// True for two names of one file. The default implementation compares the names.
   [[nodiscard]] virtual bool is_same(std::string const& one, std::string const& other);

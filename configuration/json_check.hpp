@@ -23,8 +23,8 @@ struct JsonProblem {
 struct JsonCheck {
   /// Findings: for each object its members in the order of the text, then its missing keys.
   std::vector<JsonProblem> problems;
-  /// By index of the document's values: whether a value may be read. A list or object may be readable although
-  /// something in it is not.
+  /// By index of the document's values: whether a value may be read. A list or object may be readable
+  /// although something in it is not.
   std::vector<bool> readable;
 };
 

@@ -17,17 +17,17 @@ namespace axisc::configuration {
 
 class JsonReading {
  public:
-  /// `readable` comes from check_json(). Both arguments must outlive this object. `source` is for the places of located
-  /// texts.
+  /// `readable` comes from check_json(). Both arguments must outlive this object. `source` is for the places
+  /// of located texts.
   JsonReading(JsonDocument const& document, std::vector<bool> const& readable, SourceId source = {})
       : document_(document), readable_(readable), source_(source) {}
 
-  /// Stores the values of `object` in `target`, which is of the type that the keys' stores belong to. Missing and
-  /// unreadable values leave their members unchanged.
+  /// Stores the values of `object` in `target`, which is of the type that the keys' stores belong to. Missing
+  /// and unreadable values leave their members unchanged.
   void fill(JsonShape const& shape, JsonValue const& object, void* target) const;
 
-  /// Stores one value: a number of microseconds as a cycle time, a list in a vector (without its items that are not
-  /// readable), an object by the keys of its shape.
+  /// Stores one value: a number of microseconds as a cycle time, a list in a vector (without its items that
+  /// are not readable), an object by the keys of its shape.
   static void assign(JsonShape const& shape, JsonValue const& value, std::string& target);
   void assign(JsonShape const& shape, JsonValue const& value, LocatedText& target) const;
   static void assign(JsonShape const& shape, JsonValue const& value, bool& target);

@@ -1,5 +1,5 @@
-// Shapes of JSON files, as tables of keys: kind, range, meaning, and where the value is stored. One table checks a file
-// (json_check.hpp), reads it (json_reading.hpp), and gives its JSON schema in docs/schemas.
+// Shapes of JSON files, as tables of keys: kind, range, meaning, and where the value is stored. One table
+// checks a file (json_check.hpp), reads it (json_reading.hpp), and gives its JSON schema in docs/schemas.
 #pragma once
 
 #include "configuration/sentences.hpp"
@@ -43,8 +43,8 @@ enum class JsonShapeKind : std::uint8_t {
   text,
   list,
   object,  ///< with the keys of a table
-  map,     ///< an object whose keys are names of the user's
-  either,  ///< as one of several shapes says
+  map,     ///< an object whose keys are names chosen by the user
+  either,  ///< one of several shapes
 };
 
 /// The shape of one value. Each field applies to the kinds that its comment names.
@@ -71,8 +71,8 @@ struct JsonShape {
   std::span<JsonKey const> keys = {};                   ///< object
   std::span<JsonShape const* const> alternatives = {};  ///< either
 
-  /// Replaces the general sentence if a value is of the right kind but wrong; required for `either`, which has no
-  /// general sentence. May contain {key} and {value}.
+  /// Replaces the general sentence if a value is of the right kind but wrong; required for `either`, which
+  /// has no general sentence. May contain {key} and {value}.
   std::optional<SentenceRef> sentence = {};
 };
 

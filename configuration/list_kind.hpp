@@ -1,4 +1,5 @@
-// What kind of list a file is. Nearly all lists of a controller are called *.lis; names and comments tell them apart.
+// What kind of list a file is. Nearly all lists of a controller are called *.lis; names and comments tell
+// them apart.
 #pragma once
 
 #include "diagnostics/source_text.hpp"
@@ -19,7 +20,8 @@ using schema::ListKind;
 /// The beginning of its parameters' numbers: "P-CHAN".
 [[nodiscard]] std::string number_prefix(ListKind kind);
 
-/// The kind of list whose parameters a comment numbers, by the first number in it: channel for `( P-CHAN-00035`.
+/// The kind of list whose parameters a comment numbers, by the first number in it: channel for `(
+/// P-CHAN-00035`.
 [[nodiscard]] std::optional<ListKind> kind_numbered_in(std::string_view comment);
 
 /// Each line votes for the kind that it belongs to: a list may contain a few names of another kind.

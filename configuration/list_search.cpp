@@ -10,7 +10,7 @@ namespace axisc::configuration {
 namespace {
 
 constexpr std::string_view kernel_folder = "CncKernelRootDir";
-/// Further up nobody keeps the lists of a machine.
+/// The lists of a machine are not kept further up.
 constexpr std::size_t most_folders = 16;
 
 using Parts = std::vector<std::string>;
@@ -30,7 +30,7 @@ Parts parts_of(std::string_view named) {
   return parts;
 }
 
-/// With a separator behind it; empty for the working folder.
+/// With a separator at its end; empty for the working folder.
 std::string folder_of(std::string const& path) {
   std::size_t const separator = path.find_last_of("/\\");
   return separator == std::string::npos ? std::string() : path.substr(0, separator + 1);
@@ -115,7 +115,7 @@ class Search {
     return std::nullopt;
   }
 
-  /// The first folder of the path may have been copied by another name: the start-up list lies in the copy.
+  /// The first folder of the path may have been renamed in a copy: the start-up list lies in the copy.
   std::optional<FoundList> in_renamed_folder() {
     if (without_first_.front() == "..") return std::nullopt;
     for (std::size_t i = 0; i < folders_.size(); ++i) {
@@ -146,8 +146,8 @@ class Search {
     return beside && files_.is_same(*beside, path) ? *std::move(beside) : std::move(path);
   }
 
-  /// True where the start-up list lies in the first folder that `file`, found from the folder number `from` on, names: that
-  /// is the folder itself and not one that was copied by another name.
+  /// True where the start-up list lies in the first folder that `file`, found from the folder number `from`
+  /// on, names: that is the folder itself and not a renamed copy.
   [[nodiscard]] bool encloses_start_up_list(std::string const& file, std::size_t from) {
     std::string const first = file.substr(0, file.find('/', folders_[from].size()));
     std::string const& towards = folders_[from - 1];

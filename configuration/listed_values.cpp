@@ -11,7 +11,7 @@ namespace {
 
 using grammar::ValueKind;
 
-/// Numbers end at a blank; words and paths go on to the comment.
+/// Numbers end at a blank; words and paths continue to the comment.
 Span value_span(SourceText const& text, grammar::Assignment const& assignment) {
   switch (assignment.kind) {
     case ValueKind::integer:

@@ -1,4 +1,5 @@
-// The assignments of a list of any kind as names and texts: what tells which lists, axes and channels make a machine.
+// The assignments of a list of any kind as names and texts, which tell which lists, axes and channels make a
+// machine.
 #pragma once
 
 #include "configuration/located_text.hpp"
@@ -31,11 +32,12 @@ struct ListCount {
   Place place;
 };
 
-/// All assignments up to `Ende`, in the order of the lines; lines that the grammar refuses are left out. Cost: one pass.
+/// All assignments up to `Ende`, in the order of the lines; lines that the grammar refuses are left out.
+/// Cost: one pass.
 [[nodiscard]] std::vector<ListedValue> listed_values(SourceText const& text, SourceId source);
 
-/// The indices of `name` where it is `pattern` with a number in each `[]` (`achs_mds[2]` of `achs_mds[]`), in upper or
-/// lower case.
+/// The indices of `name` where it is `pattern` with a number in each `[]` (`achs_mds[2]` of `achs_mds[]`), in
+/// upper or lower case.
 [[nodiscard]] std::optional<NameIndices> match_name(std::string_view name, std::string_view pattern);
 
 /// A decimal integer; none for everything else.

@@ -40,15 +40,15 @@ struct MachineFile {
   std::vector<MachineFileGroup> groups;
   std::vector<MachineFileGantry> gantries;
   std::vector<LocatedText> programs;     ///< checked against every group
-  std::vector<LocatedText> filter_sets;  ///< commands that programs may use beside `programs`
+  std::vector<LocatedText> filter_sets;  ///< commands that programs may use besides those in `programs`
   bool inch = false;                     ///< lengths in programs are inches
 };
 
 /// The code of every mistake in a machine file.
 inline constexpr Code machine_file_code{4020};
 
-/// Reads `sources[source]`; mistakes become AX4020 findings (place and sentences) and are left out of the result. Axes
-/// without name or list, and repeated ones, are left out.
+/// Reads `sources[source]`; mistakes become AX4020 findings (place and sentences) and are left out of the
+/// result. Axes without name or list, and repeated ones, are left out.
 [[nodiscard]] MachineFile read_machine_file(SourceSet const& sources, SourceId source,
                                             std::deque<Finding>& findings);
 

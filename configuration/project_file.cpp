@@ -31,8 +31,7 @@ constexpr Sentence project_beside{
     "this is next to the CDATA section of {element} and not read; put the list into the section and remove "
     "the rest",
     "das steht neben dem CDATA-Abschnitt von {element} und wird nicht gelesen; die Liste in den Abschnitt "
-    "schreiben "
-    "und den Rest entfernen"};
+    "schreiben und den Rest entfernen"};
 
 }  // namespace axisc::configuration::says
 
@@ -142,7 +141,7 @@ class ProjectReader {
     auto const at = std::lower_bound(fields_.begin(), fields_.end(), wanted,
                                      [](Field const& each, auto const& key) { return each.key() < key; });
     if (at == fields_.end() || at->key() != wanted) return std::nullopt;
-    // Each list beside a name gets a copy.
+    // Each list next to a name gets a copy.
     if (at->value.size() > longest_text) {
       if (too_long_.insert(at->value.begin).second) {
         refuse({.begin = at->value.begin, .end = at->value.begin},
@@ -154,7 +153,7 @@ class ProjectReader {
     return LocatedText{.text = text_.utf8(at->value), .place = {.source = source_, .span = at->value}};
   }
 
-  /// Beside the list, or beside the element that holds it.
+  /// Next to the list, or to the element that holds it.
   [[nodiscard]] std::optional<LocatedText> beside(std::size_t element, std::string_view name) {
     std::size_t const parent = document_.elements[element].parent;
     auto found = field(parent, name);
@@ -223,7 +222,7 @@ class ProjectReader {
     }
   }
 
-  /// Of the task whose name says so; else of all tasks, where they agree.
+  /// The cycle time of the task whose name fits; otherwise that of all tasks, where they agree.
   void decide_cycle_time() {
     bool const is_named =
         std::any_of(tasks_.begin(), tasks_.end(), [](Task const& task) { return task.interpolates; });

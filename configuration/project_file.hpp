@@ -13,7 +13,7 @@
 
 namespace axisc::configuration {
 
-/// An axis or channel object: its list, and what stands beside it.
+/// An axis or channel object: its list, and the values next to it.
 struct ProjectList {
   ListKind kind = ListKind::axis;            ///< that belongs in the element: axis in AchsMds
   Span span;                                 ///< of the list's text in the file
@@ -31,7 +31,8 @@ struct Project {
       true;  ///< false for well-formed XML without an element for the list of an axis or a channel
 };
 
-/// Reads `sources[source]`; mistakes become AX4020 findings (place and sentences), and what they concern is left out.
+/// Reads `sources[source]`; mistakes become AX4020 findings (place and sentences), and values with mistakes
+/// are left out.
 [[nodiscard]] Project read_project(SourceSet const& sources, SourceId source, std::deque<Finding>& findings);
 
 /// True for a name that ends in .tsproj or .xti.

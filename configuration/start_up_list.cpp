@@ -133,7 +133,8 @@ std::vector<LocatedText const*> named_lists(StartUpList const& list) {
 }
 
 bool looks_like_start_up_list(std::string_view bytes) {
-  // A carriage return alone ends a line too; each is looked for once, since most lists have either none or one a line.
+  // A carriage return alone ends a line too; each is looked for once, since most lists have either none or
+  // one a line.
   auto feed = bytes.find('\n');
   auto carriage_return = bytes.find('\r');
   for (std::size_t begin = 0; begin < bytes.size();) {

@@ -26,11 +26,11 @@ struct CompensationEntry {
 /// A list that does not decide which axes there are.
 struct OtherList {
   LocatedText file;
-  std::optional<ListKind> kind;  ///< what belongs here; none where any does
+  std::optional<ListKind> kind;  ///< that belongs here; none where any kind does
 };
 
-/// The entries of each array by rising index; of an entry that is given twice the last line counts. Lines without a file
-/// name say nothing.
+/// The entries of each array by rising index; of an entry that is given twice the last line counts. Lines
+/// without a file name are ignored.
 struct StartUpList {
   std::vector<ListEntry> axes;                   ///< achs_mds[i]
   std::optional<ListCount> axis_count;           ///< zahl_mds
@@ -53,8 +53,8 @@ struct StartUpList {
 /// Every list that a start-up list names, as written.
 [[nodiscard]] std::vector<LocatedText const*> named_lists(StartUpList const& list);
 
-/// True for text that names the lists of a machine: a line begins with one of the parameters that only start-up lists
-/// have. Cost: a search through the bytes.
+/// True for text that names the lists of a machine: a line begins with one of the parameters that only
+/// start-up lists have. Cost: a search through the bytes.
 [[nodiscard]] bool looks_like_start_up_list(std::string_view bytes);
 
 }  // namespace axisc::configuration

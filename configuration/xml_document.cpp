@@ -30,8 +30,7 @@ constexpr Sentence xml_outside{
     "text or a second element outside the first one; XML has one element that holds all others: remove the "
     "rest",
     "Text oder ein zweites Element außerhalb des ersten; XML hat ein Element, das alle anderen enthält: den "
-    "Rest "
-    "entfernen"};
+    "Rest entfernen"};
 constexpr Sentence xml_nul{"a byte 0 is not allowed in XML; export the file again",
                            "ein Byte 0 ist in XML nicht erlaubt; die Datei neu exportieren"};
 
@@ -167,7 +166,8 @@ std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes) {
     return mistake(span_of(nul, 1), says::xml_nul);
   }
   pugi::xml_document document;
-  // Nothing is converted, so that offsets are those of the file; what is outside the first element is kept to be seen.
+  // Nothing is converted, so that offsets are those of the file; what is outside the first element is kept to
+  // be seen.
   pugi::xml_parse_result const result = document.load_buffer(
       bytes.data(), bytes.size(), pugi::parse_cdata | pugi::parse_doctype | pugi::parse_fragment,
       pugi::encoding_utf8);

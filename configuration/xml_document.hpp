@@ -13,7 +13,7 @@
 
 namespace axisc::configuration {
 
-/// What an element directly contains of its own: spans count bytes of the file; entities are not expanded.
+/// The direct content of an element: spans count bytes of the file; entities are not expanded.
 struct XmlElement {
   std::string_view name;
   Span name_span;
@@ -39,8 +39,8 @@ struct XmlMistake {
   Message message;
 };
 
-/// Reads UTF-8 and single-byte encodings: one element with all others in it. A document type definition is refused,
-/// entities are never expanded. Cost: one pass.
+/// Reads UTF-8 and single-byte encodings: one element with all others in it. A document type definition is
+/// refused, entities are never expanded. Cost: one pass.
 [[nodiscard]] std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes);
 
 /// The text of an attribute's value (UTF-8): references to characters replaced, line ends and tabs as blanks.

@@ -32,8 +32,7 @@ constexpr Sentence xml_text{
     "text in an XML list is not read; write a value as the attribute Value of its element, or remove the "
     "text",
     "Text in einer XML-Liste wird nicht gelesen; einen Wert als Attribut Value seines Elements schreiben "
-    "oder den "
-    "Text entfernen"};
+    "oder den Text entfernen"};
 constexpr Sentence xml_control{
     "the value has a line break or another control character in it; remove it",
     "im Wert steht ein Zeilenumbruch oder ein anderes Steuerzeichen; es entfernen"};
@@ -45,7 +44,7 @@ namespace {
 
 constexpr std::string_view value_name = "Value";
 
-/// A name that a line may begin with, and that no list knows.
+/// A name that a line may begin with, but that no list knows.
 std::string foreign_name(std::string_view element) {
   std::string name(element);
   for (char& letter : name) {
@@ -54,7 +53,7 @@ std::string foreign_name(std::string_view element) {
   return name;
 }
 
-/// What an attribute says, in the file's encoding: its references to characters are replaced.
+/// The value of an attribute, in the file's encoding: its references to characters are replaced.
 std::string unescaped(std::string_view raw, Encoding encoding) {
   if (raw.find_first_of("&\t\r\n") == std::string_view::npos) return std::string(raw);
   if (encoding != Encoding::windows_1252) return attribute_text(raw);
@@ -86,7 +85,7 @@ void add_piece(Translation& translation, std::string_view text, Span file) {
   translation.pieces.push_back({.list = {.begin = begin, .end = end}, .file = file});
 }
 
-/// Of a value as the file writes it: line ends and tabs are blanks there, unless a reference names them.
+/// For a value as the file writes it: line ends and tabs are blanks there, unless a reference names them.
 bool has_control_character(std::string_view raw) {
   constexpr std::uint32_t first_printable = 0x20;
   constexpr std::uint32_t deletion = 0x7F;
@@ -112,7 +111,7 @@ bool has_control_character(std::string_view raw) {
   return false;
 }
 
-/// Makes lines of elements, and mistakes of what would be lost.
+/// Turns elements into lines, and anything that would be lost into mistakes.
 class ListReader {
  public:
   ListReader(std::string_view bytes, XmlDocument const& document, ListKind kind, XmlList& list)

@@ -32,7 +32,7 @@ std::string_view after(std::string_view text, std::string_view end) {
   return at == std::string_view::npos ? std::string_view() : text.substr(at + end.size());
 }
 
-/// What follows a document type definition; brackets enclose its subset.
+/// The text after a document type definition; brackets enclose its subset.
 std::string_view after_doctype(std::string_view bytes) {
   std::size_t depth = 0;
   while (!bytes.empty()) {
@@ -53,7 +53,7 @@ std::string_view after_doctype(std::string_view bytes) {
 
 struct FirstElement {
   std::string_view name;  ///< empty where the text does not begin as XML does, or ends before the name
-  bool is_whole = false;  ///< the text goes on after it
+  bool is_whole = false;  ///< the text continues after it
 };
 
 FirstElement first_element(std::string_view bytes) {
@@ -86,7 +86,8 @@ bool contains_ignoring_case(std::string_view text, std::string_view word) {
 
 constexpr std::size_t digits_of_number = 5;
 
-/// `P-AXIS-00016.1` as number and indices; none for a number of another kind of list, and for every other name.
+/// `P-AXIS-00016.1` as number and indices; none for a number of another kind of list, and for every other
+/// name.
 struct NumberedName {
   std::uint16_t number = 0;
   std::vector<std::uint32_t> indices;

@@ -24,14 +24,15 @@ struct Denominator {
   bool first_order = false;
 };
 
-/// What is left of the numerator when the constant part is taken off: of H - 1, or of an H that blocks it.
+/// The numerator without the constant part: that of H - 1, or of an H that blocks it.
 template <typename Number>
 struct Numerator {
   Number n1{0};
   Number n2{0};
 };
 
-/// Numerator w (n0 + n1 w) and denominator d0 + d1 w + d2 w² in w = 1 - z^-1, divided by the denominator's value at w = 1.
+/// Numerator w (n0 + n1 w) and denominator d0 + d1 w + d2 w² in w = 1 - z^-1, divided by the denominator's
+/// value at w = 1.
 template <typename Number>
 struct Increments {
   Number n0{0}, n1{0};
@@ -43,7 +44,7 @@ struct Increments {
   }
 };
 
-/// Value at w = 1 of the denominator that the bilinear transform makes, by which it divides a section's coefficients.
+/// Value at w = 1 of the denominator of the bilinear transform, by which it divides a section's coefficients.
 template <typename Number>
 [[nodiscard]] Number normaliser(Denominator<Number> const& c, Number const& t) {
   return c.first_order ? Number(c.c0 * t + c.c1) : Number(c.c0 * t * t + c.c1 * t + c.c2);
@@ -52,8 +53,7 @@ template <typename Number>
 /// (n1 s + n2 s²)/(c0 + c1 s + c2 s²), discretised by the bilinear transform:
 ///     numerator    w (2 n1 t + (n2 - n1 t) w)
 ///     denominator  4 c0 t² + (2 c1 t - 4 c0 t²) w + (c0 t² - c1 t + c2) w²
-/// and both are divided by N. No coefficient of the denominator is a
-/// difference.
+/// and both are divided by N. No coefficient of the denominator is a difference.
 template <typename Number>
 [[nodiscard]] Section<Number> bilinear(Denominator<Number> const& c, Numerator<Number> const& n,
                                        Number const& t) {
@@ -92,8 +92,8 @@ template <typename Number>
       .section();
 }
 
-/// Coefficients of z^0, z^-1, z^-2 of what has a root z = exp(u s) for each root s of a0 + a1 s + a2 s², and as many at -1 as
-/// `at_infinity` says.
+/// Coefficients of z^0, z^-1, z^-2 of the polynomial with a root z = exp(u s) for each root s of a0 + a1 s +
+/// a2 s², and `at_infinity` roots at -1.
 template <typename Number>
 [[nodiscard]] std::array<Number, 3> matched_roots(std::array<Number, 3> const& a, Number const& u,
                                                   int at_infinity) {

@@ -67,11 +67,12 @@ enum class Precision : std::uint8_t { quick, exact };
 [[nodiscard]] FilterDesign design_filter(FilterSpecification const& specification, CycleTime cycle_time,
                                          Precision precision);
 
-/// What a runtime accepts (axisrt_verify): poles inside the unit circle, and numerators of moderate size.
+/// A runtime accepts it (axisrt_verify): poles inside the unit circle, and numerators of moderate size.
 [[nodiscard]] bool is_loadable(IncrementSection const& section);
 
-/// About the largest error that rounding of the coefficients makes in the frequency response. Poles close to -1 make it
-/// large: their A(-1) = 4 - k - 2b is a small difference of large numbers. Infinite where a section is not loadable.
+/// About the largest error that rounding of the coefficients makes in the frequency response. Poles close to
+/// -1 make it large: their A(-1) = 4 - k - 2b is a small difference of large numbers. Infinite where a
+/// section is not loadable.
 [[nodiscard]] double rounding_error(FilterDesign const& filter);
 
 /// Display form of a section.

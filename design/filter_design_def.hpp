@@ -12,7 +12,7 @@
 
 namespace axisc::design {
 
-/// What the image's loader demands of the stored numbers.
+/// The image loader's requirements on the stored numbers.
 [[nodiscard]] inline bool is_stable(IncrementSection const& section) {
   return section.k > 0 && section.b > 0 && section.b < 2 && 4 - section.k - 2 * section.b > 0;
 }

@@ -1,11 +1,12 @@
-// The standard filter types, a row each: which parameters a type uses, in which ranges, and what follows from the type
-// alone (manual "axis filters", sections 2.1 and 3).
+// The standard filter types, a row each: which parameters a type uses, in which ranges, and what follows from
+// the type alone (manual "axis filters", sections 2.1 and 3).
 //
 // A new type is an enumerator with its number in filter_specification.hpp, a row here and its mathematics in
 // filter_realisations_def.hpp; a row without mathematics does not compile.
 #pragma once
 
 #include "design/filter_specification.hpp"
+#include "design/kernel_design.hpp"
 
 #include <array>
 #include <cassert>
@@ -19,8 +20,8 @@ namespace axisc::design {
 /// Where a type has its order from.
 enum class OrderSource : std::uint8_t {
   configured,  ///< `order`, 1 to the highest
-  fixed,       ///< the type: always the highest; whatever `order` says only switches the filter on
-  computed,    ///< the time constant; whatever `order` says only switches the filter on
+  fixed,       ///< the type: always the highest; `order` only switches the filter on
+  computed,    ///< the time constant; `order` only switches the filter on
 };
 
 struct OrderRange {
@@ -55,7 +56,7 @@ struct TimeConstantRange {
   [[nodiscard]] constexpr bool fits(double cycles) const { return cycles >= lowest && cycles < limit; }
 };
 
-/// Of the values that are optional here, a type without them ignores the parameter.
+/// A type without one of the optional values ignores the parameter.
 struct FilterKind {
   FilterType type;
   std::string_view word;  ///< the symbol of P-AXIS-00204
@@ -70,7 +71,7 @@ struct FilterKind {
 namespace detail {
 
 inline constexpr OrderRange up_to_6{OrderSource::configured, 6};
-/// Of the prototype: a band filter of order n has 2n poles.
+/// The order of the prototype: a band filter of order n has 2n poles.
 inline constexpr OrderRange up_to_3{OrderSource::configured, 3};
 inline constexpr QualityRange band_quality{1, 10};
 inline constexpr TimeConstantRange lag{TimeMeaning::lag, 1};
@@ -100,6 +101,34 @@ inline constexpr std::array filter_kinds{
 };
 // clang-format on
 
+/// The prototype, P-AXIS-00153, with which a filter[i] is an HSC filter: a linear-phase kernel that programs
+/// switch on.
+inline constexpr int hsc_prototype = 5;
+
+/// Values are the numbers of P-AXIS-00204.
+enum class HscType : std::uint8_t { mean = 8, novib = 12 };
+
+/// The values that an HSC type uses besides prototype, order, share and time constant. Its order is 0 to
+/// longest_kernel_order.
+struct HscKind {
+  HscType type;
+  KernelType kernel;
+  bool uses_frequency = false;  ///< fg_f0: 0 < f < 0.5/T
+};
+
+inline constexpr std::array hsc_kinds{
+    HscKind{.type = HscType::mean, .kernel = KernelType::moving_average},
+    HscKind{.type = HscType::novib, .kernel = KernelType::novib, .uses_frequency = true},
+};
+
+/// The row of a number of P-AXIS-00204; null for all others.
+[[nodiscard]] constexpr HscKind const* find_hsc_kind(int number) {
+  for (HscKind const& kind : hsc_kinds) {
+    if (static_cast<int>(kind.type) == number) return &kind;
+  }
+  return nullptr;
+}
+
 /// The row of a number of P-AXIS-00204; null for HSC filters and undocumented types.
 [[nodiscard]] constexpr FilterKind const* find_filter_kind(int number) {
   for (FilterKind const& kind : filter_kinds) {
@@ -116,7 +145,7 @@ inline constexpr std::array filter_kinds{
   return filter_kinds[at];
 }
 
-// These may be asked about any number that an image holds: without a row nothing is used.
+// May be called with any number that an image holds: without a row nothing is used.
 [[nodiscard]] constexpr bool uses_frequency(FilterType type) {
   FilterKind const* const kind = find_filter_kind(static_cast<int>(type));
   return kind != nullptr && kind->uses_frequency;

@@ -1,4 +1,5 @@
-// The mathematics of each filter type in one number type: an overload of realise() for each row of filter_kinds.
+// The mathematics of each filter type in one number type: an overload of realise() for each row of
+// filter_kinds.
 #pragma once
 
 #include "design/filter_kinds.hpp"
@@ -29,7 +30,7 @@ struct FilterRealisation {
 template <FilterType type>
 using Kind = std::integral_constant<FilterType, type>;
 
-/// A delay this close to whole cycles is a pure delay.
+/// A delay this close to whole cycles counts as a pure delay.
 inline constexpr double integer_delay_tolerance = 1e-9;
 
 /// t = tan(π f T), the pre-warped characteristic frequency as the bilinear transform needs it.
@@ -89,7 +90,7 @@ template <typename Number>
 }
 
 /// Q_a = sin(2π f0 T)/(2 tan(π (f0/Q) T)) puts the digital -3 dB edges f0/Q apart;
-/// sin 2α = 2 tan α/(1 + tan² α). Without pre-warping, and where a reading says so, it is Q itself.
+/// sin 2α = 2 tan α/(1 + tan² α). Without pre-warping, and in some readings, it is Q itself.
 template <typename Number>
 [[nodiscard]] Number analogue_quality(FilterSpecification const& specification, CycleTime cycle_time,
                                       Number const& t) {

@@ -1,4 +1,5 @@
-// What a standard filter shall do, in the words of the axis list (manual "axis filters", sections 2.1 and 3).
+// The specification of a standard filter, in terms of the axis list (manual "axis filters", sections 2.1 and
+// 3).
 #pragma once
 
 #include "design/readings.hpp"
@@ -23,8 +24,8 @@ enum class FilterType : std::uint8_t {
 /// Values are the numbers of P-AXIS-00153.
 enum class Prototype : std::uint8_t { critical_damping = 1, butterworth = 2, bessel = 3 };
 
-/// Which of the values a type uses, and in which ranges, says its row in design/filter_kinds.hpp. design_filter()
-/// expects them to hold, and share_percent 0..100.
+/// The type's row in design/filter_kinds.hpp defines which of the values it uses, and in which ranges.
+/// design_filter() expects them to hold, and share_percent 0..100.
 struct FilterSpecification {
   FilterType type = FilterType::lowpass;
   Prototype prototype = Prototype::critical_damping;
@@ -39,9 +40,10 @@ struct FilterSpecification {
   friend constexpr bool operator==(FilterSpecification const&, FilterSpecification const&) = default;
 };
 
-/// The specification's reading, or `documented` where that one means nothing for the filter: for a time delay every one,
-/// matched poles where the constant part is blocked (the gain could not be normalised), poles_at_frequency for what is not a
-/// low-, high- or all-pass of critical damping above order 1, and so on.
+/// The specification's reading, or `documented` where that one means nothing for the filter: for a time delay
+/// every one, matched poles where the constant part is blocked (the gain could not be normalised),
+/// poles_at_frequency for anything but a low-, high- or all-pass of critical damping above order 1, and so
+/// on.
 [[nodiscard]] FilterReading applied_reading(FilterSpecification const& specification);
 
 }  // namespace axisc::design

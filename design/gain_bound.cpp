@@ -10,8 +10,8 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// Room for what the computation below loses by its own rounding: sums of up to 2^21 terms, and powers of a matrix whose
-/// poles are 1e-9 or more away from the unit circle.
+/// Margin for the rounding errors of the computation below: sums of up to 2^21 terms, and powers of a matrix
+/// whose poles are 1e-9 or more away from the unit circle.
 constexpr double outwards = 1 + 0x1p-18;
 
 constexpr std::uint64_t longest_walk = std::uint64_t{1} << 21U;
@@ -45,7 +45,7 @@ struct Matrix {
   }
 };
 
-/// With √k e in the place of e, both states of an oscillation are of one size.
+/// With √k e in place of e, both states of an oscillation are of one size.
 Matrix scaled(Matrix const& x, double root_k) {
   return {x.ee, x.er * root_k, x.re / root_k, x.rr};
 }
@@ -84,7 +84,7 @@ Matrix completed(Matrix sum, Matrix power) {
 
 /// The bounds of one section. Rounding of a cycle of
 ///     de = p d + r,  e += de,  r = de + q d - k e - b de
-/// acts as an addition to r (of de as well: both are the next r's business), or to e.
+/// acts as an addition to r (also if it is one to de: both enter the next r), or to e.
 SectionGain section_gain(IncrementSection const& section, bool blocks_constant) {
   auto const [p, q, k, b] = section;
   double const root_k = std::sqrt(k);

@@ -25,7 +25,7 @@ bool passes(KernelDesign const& kernel) {
   return kernel.tail_sums.empty();
 }
 
-/// What the tail sums say of the taps.
+/// The symmetry of the taps, as the tail sums show it.
 enum class Shape : std::uint8_t {
   odd,      ///< symmetrical about a tap
   even,     ///< symmetrical about the middle between two
@@ -132,13 +132,15 @@ double root(Function const& f, double low, double high, double f_low, double f_h
   return bracket.first + (bracket.second - bracket.first) / 2;
 }
 
-/// Walks A(θ), a polynomial of degree h in cos θ (times cos(θ/2) with an even number of taps), in steps well below the distance π/h of its zeros.
+/// Walks A(θ), a polynomial of degree h in cos θ (times cos(θ/2) with an even number of taps), in steps well
+/// below the distance π/h of its zeros.
 class ZeroSearch {
  public:
   explicit ZeroSearch(KernelDesign const& kernel) : kernel_(kernel), lobe_(pi / middle(kernel)) {}
 
   std::vector<double> run() {
-    // A fraction no frequency hits by being a round number. The last step goes beyond π, where A is symmetrical.
+    // A fraction no frequency hits by being a round number. The last step goes beyond π, where A is
+    // symmetrical.
     constexpr double offset = 0.38196601125;
     double const step = lobe_ / steps_per_lobe;
     Place low = place(offset * step);
@@ -152,7 +154,7 @@ class ZeroSearch {
 
  private:
   static constexpr int steps_per_lobe = 16;
-  /// |A| at a double zero; more is left of it when it is none.
+  /// |A| at a double zero; a minimum that is not a zero is larger.
   static constexpr double touches = 1e-12;
   static constexpr double smallest_side_lobe = 1e-6;
 
@@ -244,7 +246,7 @@ std::vector<Hertz> zero_frequencies(KernelDesign const& kernel, CycleTime cycle_
 
 StepFigures step_figures(KernelDesign const& kernel, double tolerance) {
   StepFigures figures{.settling_cycles = 0};
-  double negative = 0;  // taps; Σ b = 1, hence Σ|b| = 1 + 2 Σ of what is negative
+  double negative = 0;  // taps; Σ b = 1, hence Σ|b| = 1 + 2 Σ of the negative ones
   double previous = 1;
   for (std::size_t n = 0; n <= kernel.tail_sums.size(); ++n) {
     double const tail = n < kernel.tail_sums.size() ? kernel.tail_sums[n] : 0;

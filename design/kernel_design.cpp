@@ -97,7 +97,7 @@ std::optional<std::uint32_t> order_of_time(Microseconds time, CycleTime cycle_ti
   if (!(nanoseconds >= T)) return std::nullopt;
   constexpr auto largest = std::numeric_limits<std::uint32_t>::max();
   if (nanoseconds / T >= largest) return largest;
-  // Remainder and quotient are exact, so that half a cycle is decided by the numbers and not by rounding.
+  // Remainder and quotient are exact, so that the numbers decide about half a cycle, not rounding.
   double const remainder = std::fmod(nanoseconds, T);
   auto const whole = static_cast<std::uint32_t>((nanoseconds - remainder) / T);
   return whole + (2 * remainder >= T ? 1U : 0U);

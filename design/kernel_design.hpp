@@ -12,8 +12,9 @@
 //
 // Order N means h = ceil(N/2), 2h + 1 taps and a delay of h cycles. The share s blends through the centre
 // tap, b'_k = s b_k + (1 - s) δ_k, which keeps the phase linear; the time delay blends with the undelayed
-// signal. Other readings (design/readings.hpp) have other widths, shapes or shares; with an even number of taps the delay has
-// half a cycle in it, and the share passes half through each of the two taps in the middle.
+// signal. Other readings (design/readings.hpp) have other widths, shapes or shares; with an even number of
+// taps the delay has half a cycle in it, and the share passes half through each of the two taps in the
+// middle.
 #pragma once
 
 #include "design/readings.hpp"
@@ -80,7 +81,7 @@ struct KernelDesign {
 
 /// 4 (m + 1) = 4 ceil((fs/f0 - 1)/2), at least 4; above longest_kernel_order the frequency is too low for
 /// this cycle time. fs/f0 counts as the odd number 2n + 1 where f0 is the double nearest to fs/(2n + 1), so
-/// that what lowest_novib_frequency names works. Saturates at 4e6, also for frequencies that are not
+/// that the result of lowest_novib_frequency works. Saturates at 4e6, also for frequencies that are not
 /// positive.
 [[nodiscard]] std::uint32_t novib_order(Hertz frequency, CycleTime cycle_time);
 /// fs/101.

@@ -64,8 +64,8 @@ void store_taps(std::vector<Number> const& taps, KernelDesign& design) {
   design.taps[0] = rounded<Number>(taps[0]);
 }
 
-/// An even number of taps, 2m: both halves of `c`, c_0 next to the middle. Half of the direct part passes through each of the
-/// two taps there.
+/// An even number of taps, 2m: both halves of `c`, c_0 next to the middle. Half of the direct part passes
+/// through each of the two taps there.
 template <typename Number>
 void store_even(HalfKernel<Number> const& c, Number const& share, KernelDesign& design) {
   std::size_t const m = c.size();

@@ -14,7 +14,7 @@ struct KernelKind {
   std::uint32_t longest_order;
   bool uses_frequency = false;
   bool uses_quality = false;
-  bool computes_order = false;  ///< from the frequency; the order of a specification means nothing
+  bool computes_order = false;  ///< from the frequency; the order of a specification is ignored
 };
 
 /// In the order of KernelType.

@@ -6,8 +6,8 @@
 namespace axisc::design {
 
 /// e^(j(start + k·step)), k = 0, 1, 2, …
-/// After k steps the error is about k roundings; while all angles stay below π/2 that holds relative to the sine
-/// too, because both products of its sum are positive.
+/// After k steps the error is about k roundings; while all angles stay below π/2 that holds relative to the
+/// sine too, because both products of its sum are positive.
 template <typename Number>
 class Phasor {
  public:

@@ -7,8 +7,8 @@
 
 namespace axisc::design {
 
-/// 130 decimals are written out. A library's constant would be read from its digits whenever the program starts,
-/// also where nothing is designed.
+/// 130 decimals are written out. A library's constant would be read from its digits whenever the program
+/// starts, also where nothing is designed.
 template <typename Number>
 [[nodiscard]] Number pi() {
   if constexpr (std::is_floating_point_v<Number>) {

@@ -58,7 +58,7 @@ template <typename Number, typename Function>
   return (low + high) / 2;
 }
 
-/// What the poles are multiplied by; the reading is one that applies to the filter.
+/// The factor of the poles; the reading is one that applies to the filter.
 template <typename Number>
 [[nodiscard]] Number pole_scale(FilterReading reading, Poles<Number> const& poles) {
   switch (reading) {

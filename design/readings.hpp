@@ -1,5 +1,5 @@
-// How a control computes its filters where the manuals leave it open. What axisc computes unless it is told otherwise is
-// the reading `documented`; a comparison with a recording (comparison/) finds out which one a control has.
+// How a control computes its filters where the manuals leave it open. By default axisc uses the reading
+// `documented`; a comparison with a recording (analysis/comparison/) finds out which one a control has.
 #pragma once
 
 #include "design/units.hpp"
@@ -13,7 +13,7 @@
 
 namespace axisc::design {
 
-/// Of standard filters. The numbers stand in images.
+/// Readings of standard filters. The numbers are stored in images.
 enum class FilterReading : std::uint8_t {
   documented =
       0,  ///< bilinear transform with pre-warping, -3 dB at fg_f0, quality between the digital -3 dB edges
@@ -30,7 +30,7 @@ enum class FilterReading : std::uint8_t {
   allpass_phase,     ///< all-passes turn the phase by half of its whole angle at fg_f0
 };
 
-/// Of linear-phase kernels. The numbers stand in images.
+/// Readings of linear-phase kernels. The numbers are stored in images.
 enum class KernelReading : std::uint8_t {
   documented = 0,           ///< see design/kernel_design.hpp
   taps_n,                   ///< order N means N taps
@@ -48,7 +48,7 @@ enum class KernelReading : std::uint8_t {
   share_ignored,    ///< as with 100 %
 };
 
-/// Of the cycle time for which standard filters and kernels are computed.
+/// Readings of the cycle time for which standard filters and kernels are computed.
 enum class CycleReading : std::uint8_t { documented = 0, twice, half, fourfold, quarter };
 
 /// One control's readings; those that mean nothing for a type leave it as documented.
@@ -86,7 +86,7 @@ inline constexpr std::array<std::string_view, 5> cycle_reading_words{"documented
   return cycle_reading_words[static_cast<std::size_t>(reading)];
 }
 
-/// The reading of a word; none where there is none.
+/// The reading of a word; none for an unknown word.
 template <class Reading>
 [[nodiscard]] constexpr std::optional<Reading> reading_of(std::span<std::string_view const> words,
                                                           std::string_view word) {

@@ -60,7 +60,7 @@ double most_of_filter(FilterDesign const& filter, Circle circle) {
   return std::abs(filter.share.direct) + std::abs(filter.share.filtered) * most;
 }
 
-/// E(z) = (H(1) - H(z))/(1 - z^-1) is the z-transform of what is missing to the final value: |e[n]| ≤ ρ^n max
+/// E(z) = (H(1) - H(z))/(1 - z^-1) is the z-transform of the distance to the final value: |e[n]| ≤ ρ^n max
 /// |E(ρ exp(jφ))|.
 double bound_on(Circle circle, std::span<FilterDesign const> chain, double tolerance) {
   double most = 1, final_value = 1;
@@ -80,7 +80,7 @@ double settling_bound(std::span<FilterDesign const> chain, double tolerance, dou
   double pole_radius = 0;
   for (FilterDesign const& filter : chain) pole_radius = std::max(pole_radius, filter.pole_radius);
   if (pole_radius >= 1) return bound;
-  // The closer to the poles, the faster what is missing shrinks, and the larger it may be at first.
+  // The closer to the poles, the faster the distance shrinks, and the larger it may be at first.
   for (double const share : {0.7, 0.5, 0.85, 0.95}) {
     double const radius = 1 - share * (1 - pole_radius);
     double const candidate = bound_on({.radius = radius, .inverse = 1 / radius}, chain, tolerance);

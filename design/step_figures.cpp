@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::uint64_t cycles_between_checks = 32;
 
-/// What a filter hands on in a cycle: its output and the output's increment.
+/// The output of a filter in a cycle, and the output's increment.
 struct Signal {
   double value = 0;
   double increment = 0;
 };
 
-/// What the states will still do without input.
+/// Effects that the states will still have without input.
 struct Rest {
   double value = 0;  ///< to the output, about
   double path = 0;   ///< to the sum of the output's |increments|, at most
@@ -96,7 +96,7 @@ class FilterState {
     return rest;
   }
 
-  /// Σ|increments| that are still to come behind the filter, where `before` are still to come before it.
+  /// Σ|increments| that are still to come after the filter, where `before` are still to come before it.
   [[nodiscard]] double path_behind(double before, FilterGain const& gain) const {
     if (realisation_ == Realisation::pass_through) return before;
     double within = before + delayed_path();
@@ -164,7 +164,7 @@ class PathBound {
     return path;
   }
 
-  /// Of the sum of a run, and of what was then still to come.
+  /// The bound, from the sum of a run and what was still to come after it.
   [[nodiscard]] double above(double sum, double rest) const {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     constexpr double of_sum = (cycles_between_checks + 4) * 0x1p-53;
@@ -182,7 +182,7 @@ class PathBound {
 
 /// Rest below which nothing that is reported changes any more.
 constexpr double settled_rest = 1e-13;
-/// Where only one figure counts, as a share of what would change it: later filters may amplify what is left,
+/// Where only one figure counts, as a share of a change in that figure: later filters may amplify the rest,
 /// by far less than a hundred thousand.
 constexpr double negligible_rest = 1e-5;
 
@@ -192,8 +192,8 @@ double rest_of(std::vector<FilterState> const& filters) {
   return rest;
 }
 
-/// Looks at the step response until `is_enough(rest, excess)`, of which the latter is the largest above the
-/// final value so far. Without a `bound` nothing is said of what is left of the path.
+/// Follows the step response until `is_enough(rest, excess)`, where `excess` is the largest value above the
+/// final one so far. Without a `bound` the rest of the path is not bounded.
 template <typename IsEnough>
 StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance,
                         PathBound const* bound, IsEnough is_enough) {

@@ -1,6 +1,7 @@
 // From prototype poles to the sections of low-, high-, all-pass and band filters.
 //
-// s is normalised to the characteristic frequency; a Discretiser (design/discretisation_def.hpp) makes sections of it.
+// s is normalised to the characteristic frequency; a Discretiser (design/discretisation_def.hpp) turns it
+// into sections.
 #pragma once
 
 #include "design/discretisation_def.hpp"
@@ -63,7 +64,7 @@ template <typename Number>
   return sections;
 }
 
-/// The band filters' s → Q (s + 1/s) makes of a conjugate pair of prototype poles two of them, s1 and 1/s1
+/// The band filters' s → Q (s + 1/s) turns a conjugate pair of prototype poles into two of them, s1 and 1/s1
 /// with
 ///     s1² - (p/Q) s1 + 1 = 0
 /// The result is the s1 with the larger magnitude; the denominator of the other one is the mirror image.

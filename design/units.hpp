@@ -22,7 +22,7 @@ struct CycleTime {
 
   [[nodiscard]] constexpr double microseconds() const { return nanoseconds / 1e3; }
   [[nodiscard]] constexpr double seconds() const { return nanoseconds / 1e9; }
-  /// 0.5/T: what a characteristic frequency must stay below.
+  /// 0.5/T: the limit of characteristic frequencies.
   [[nodiscard]] constexpr Hertz nyquist() const { return {0.5e9 / nanoseconds}; }
   /// A time as a number of cycles.
   [[nodiscard]] constexpr double cycles(Microseconds time) const { return cycles_in<double>(time); }

@@ -1,4 +1,5 @@
-// Letters, digits and blanks of ASCII, the same whatever the C locale is: other bytes belong to no class and have no case.
+// Letters, digits and blanks of ASCII, the same whatever the C locale is: other bytes belong to no class and
+// have no case.
 #pragma once
 
 #include <algorithm>

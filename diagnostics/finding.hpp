@@ -46,7 +46,7 @@ struct ControlReaction {
   std::string message;  ///< its message numbers, "50663" or "50663/60311"; empty where it has none
   std::optional<Message> reaction;  ///< in words
   std::string value;                ///< the value it would run with; empty where none is known
-  Wording physical = {};  ///< that value in the unit of a person; empty where this says nothing more
+  Wording physical = {};            ///< that value in a unit for people; empty where this adds nothing
 };
 
 struct Finding {
@@ -56,7 +56,7 @@ struct Finding {
   std::optional<Place> place;  ///< none for findings about a file as a whole
   std::string file;            ///< shown instead of a place where there is none
   Message message;
-  std::optional<Message> label;  ///< beside the caret
+  std::optional<Message> label;  ///< next to the caret
   std::vector<Message> notes;
   std::vector<Message> help;
   std::vector<Related> related;

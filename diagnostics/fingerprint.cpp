@@ -12,8 +12,8 @@
 namespace axisc {
 namespace {
 
-/// FNV-1a with 64 bits: baselines need no protection against attacks, and a collision becomes likely only with billions
-/// of findings.
+/// FNV-1a with 64 bits: baselines need no protection against attacks, and a collision becomes likely only
+/// with billions of findings.
 class Hash {
  public:
   void add(std::string_view text) {

@@ -24,10 +24,10 @@ bool can_be_written(SourceText const& source, std::string_view text) {
   return true;
 }
 
-/// What ends the CDATA section of a window.
+/// The end of the CDATA section of a window.
 constexpr std::string_view section_end = "]]>";
 
-/// True where the edit, with what stands around it, would end the section.
+/// True where the edit, together with the text around it, would end the section.
 bool ends_section(SourceText const& source, Edit const& edit) {
   if (!source.is_window()) return false;
   Span const span = edit.place.span;
@@ -60,8 +60,8 @@ std::size_t width(std::string_view utf8) {
       std::count_if(utf8.begin(), utf8.end(), [](char byte) { return !is_continuation_byte(byte); }));
 }
 
-/// The blanks of a column gap that begins at `begin`: at least two, followed by more text on the line, and untouched by
-/// other edits.
+/// The blanks of a column gap that begins at `begin`: at least two, followed by more text on the line, and
+/// untouched by other edits.
 std::uint32_t gap_behind(std::string_view bytes, std::uint32_t begin, std::size_t limit) {
   std::size_t const end = std::min(bytes.find_first_not_of(' ', begin), bytes.size());
   bool const is_gap = end >= begin + 2 && end < bytes.size() && end <= limit &&

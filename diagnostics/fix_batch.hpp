@@ -12,7 +12,7 @@ namespace axisc {
 
 struct EditedSource {
   SourceId source{};
-  std::string bytes;  ///< of the whole file; what no edit replaces is as it was, columns included
+  std::string bytes;  ///< of the whole file; parts that no edit replaces are unchanged, columns included
 };
 
 class FixBatch {
@@ -20,14 +20,14 @@ class FixBatch {
   /// `sources` and the fixes must live as long as the batch.
   explicit FixBatch(SourceSet const& sources) : sources_(sources) {}
 
-  /// Returns false and changes nothing if an edit overlaps or touches one of the batch, needs a character that the
-  /// encoding of its source lacks, would end the CDATA section that holds the list, or if only an excerpt of its source is
-  /// available.
+  /// Returns false and changes nothing if an edit overlaps or touches one of the batch, needs a character
+  /// that the encoding of its source lacks, would end the CDATA section that holds the list, or if only an
+  /// excerpt of its source is available.
   bool add(Fix const& fix);
 
-  /// The changed files, in their encoding and with their line ends; windows of one file follow one another in the set,
-  /// in the order of the file. Text after at least two blanks keeps its column
-  /// if possible: the blanks compensate for a longer or shorter text before them.
+  /// The changed files, in their encoding and with their line ends; windows of one file follow one another in
+  /// the set, in the order of the file. Text after at least two blanks keeps its column if possible: the
+  /// blanks compensate for a longer or shorter text before them.
   [[nodiscard]] std::vector<EditedSource> apply() const;
 
  private:

@@ -7,7 +7,8 @@
 
 namespace axisc {
 
-/// A place as tools name it. The end is the column after the last character (equal to the begin for an empty span).
+/// A place as tools name it. The end is the column after the last character (equal to the begin for an empty
+/// span).
 struct Location {
   std::string_view file;  ///< the name of the source; lives as long as the set
   Position begin;

@@ -14,7 +14,8 @@ namespace axisc {
 
 namespace says {
 
-/// Only its argument `text`: for texts that are the same in both languages, such as a formula, a range or a name.
+/// Only its argument `text`: for texts that are the same in both languages, such as a formula, a range or a
+/// name.
 inline constexpr Sentence as_given{"{text}", "{text}"};
 
 }  // namespace says

@@ -1,4 +1,4 @@
-// A page in both languages: that of a code (what it means and what to do about it, for `axisc explain`, docs/rules.md
+// A page in both languages: that of a code (its meaning and the remedy, for `axisc explain`, docs/rules.md
 // and SARIF), or that of a command.
 #pragma once
 

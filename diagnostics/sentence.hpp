@@ -1,4 +1,4 @@
-// A sentence the program can say, in English and German: a constant beside the code that says it.
+// A sentence the program can print, in English and German: a constant next to the code that uses it.
 //
 //     namespace axisc::validator::says {
 //     constexpr Sentence limit{"the delay must be shorter than {limit}",
@@ -6,9 +6,9 @@
 //     }
 //     … finding.notes.push_back({says::limit, {{"limit", microseconds(limit)}}});
 //
-// `{limit}` is a placeholder that a Message (message.hpp) fills; braces mean nothing else. Sentences that several
-// sources of a folder share are declared in the folder's sentences.hpp and defined in its sentences.cpp. A sentence
-// that would be wrong in either language does not compile.
+// `{limit}` is a placeholder that a Message (message.hpp) fills; braces mean nothing else. Sentences that
+// several sources of a folder share are declared in the folder's sentences.hpp and defined in its
+// sentences.cpp. A sentence that would be wrong in either language does not compile.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ void the_languages_name_different_placeholders();
 
 class Sentence {
  public:
-  /// Two string literals. Refused by the compiler: an empty one, blanks around it, a brace that is not part of a
-  /// placeholder ({lower_case_1}), and placeholders that only one language names.
+  /// Two string literals. Refused by the compiler: an empty one, blanks around it, a brace that is not part
+  /// of a placeholder ({lower_case_1}), and placeholders that only one language names.
   consteval Sentence(std::string_view english, std::string_view german) : english_(english), german_(german) {
     check(english, german);
     check(german, english);

@@ -63,15 +63,14 @@ SourceText::SourceText(std::string name, Excerpt excerpt)
   numbers_.push_back(numbers_.empty() ? 1 : numbers_.back() + 1);
 }
 
-SourceText::SourceText(std::string name, Window window)
-    : name_(std::move(name)), file_(std::move(window.file)), is_window_(true) {
-  std::string_view const before = std::string_view(*file_).substr(0, window.span.begin);
-  std::size_t line = before.rfind('\n') + 1;
-  if (line == 0 && before.starts_with(byte_order_mark)) line = byte_order_mark.size();
-  bytes_ = std::string_view(*file_).substr(line, window.span.end - line);
-  text_begin_ = window.span.begin - static_cast<std::uint32_t>(line);
-  lines_before_ = count_line_ends(before);
-  bool const are_ascii = ascii_prefix(bytes_) == bytes_.size();
+SourceText::SourceText(std::string name, Window const& window)
+    : name_(std::move(name)), file_(window.file.file_), is_window_(true) {
+  Line const& first = window.file.line_at(window.span.begin);
+  std::uint32_t const begin = window.file.column_begin(first);
+  bytes_ = std::string_view(*file_).substr(begin, window.span.end - begin);
+  text_begin_ = window.span.begin - begin;
+  lines_before_ = first.number - 1;
+  bool const are_ascii = window.file.characters().are_ascii || ascii_prefix(bytes_) == bytes_.size();
   characters_ = {.are_ascii = are_ascii, .encoding = are_ascii ? Encoding::utf8 : window.encoding};
 }
 

@@ -17,7 +17,8 @@ struct Range {
   char32_t last;
 };
 
-/// Control characters, separators of lines, and characters without width or that turn the direction of writing.
+/// Control characters, separators of lines, and characters without width or that turn the direction of
+/// writing.
 constexpr Range invisible[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0xAD, 0xAD},      {0x61C, 0x61C},
                                {0x180E, 0x180E}, {0x200B, 0x200F}, {0x2028, 0x202E},  {0x2060, 0x206F},
                                {0xFEFF, 0xFEFF}, {0xFFF9, 0xFFFB}, {0xE0000, 0xE007F}};
@@ -27,7 +28,7 @@ bool are_eight_plain(char const* text) {
   constexpr std::uint64_t top_bits = 0x80U * ones;
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, text, sizeof bytes);
-  // A byte below 0x20 borrows from its top bit, 0x7F carries into it; which byte it was does not matter.
+  // A byte below 0x20 borrows from its top bit, 0x7F carries into it; it does not matter which byte it was.
   return ((bytes | (bytes - 0x20U * ones) | (bytes + ones)) & top_bits) == 0;
 }
 

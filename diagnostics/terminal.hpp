@@ -10,14 +10,15 @@
 
 namespace axisc {
 
-/// False for control characters, marks that turn the direction of writing and characters without width: a reader would
-/// not see them, and a terminal would obey some.
+/// False for control characters, marks that turn the direction of writing and characters without width: a
+/// reader would not see them, and a terminal would obey some.
 [[nodiscard]] bool is_visible(char32_t character);
 /// Every character of a UTF-8 text is visible.
 [[nodiscard]] bool is_visible(std::string_view text);
 
-/// `text` as one line of well-formed UTF-8: ASCII control characters become their pictures (U+2400 and up), other
-/// invisible ones and bytes that cannot be decoded become U+FFFD. Every foreign name is printed through this.
+/// `text` as one line of well-formed UTF-8: ASCII control characters become their pictures (U+2400 and up),
+/// other invisible ones and bytes that cannot be decoded become U+FFFD. Every foreign name is printed through
+/// this.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// Append printable() of a text, or of one character, to `out`.

@@ -1,4 +1,5 @@
-// Characters that look like others: what text copied from a manual contains instead of blanks, signs and letters.
+// Characters that look like others: text copied from a manual contains them instead of blanks, signs and
+// letters.
 #pragma once
 
 #include <string_view>

@@ -10,8 +10,8 @@
 namespace axisc {
 namespace {
 
-// What may follow a lead byte: table 3-7 of the Unicode standard. Only the second byte has a range of its
-// own.
+// Bytes that may follow a lead byte: table 3-7 of the Unicode standard. Only the second byte has a range of
+// its own.
 struct Sequence {
   std::size_t size;
   unsigned char second_least;

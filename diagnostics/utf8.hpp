@@ -8,11 +8,11 @@
 
 namespace axisc {
 
-/// U+FFFD, shown for what cannot be decoded.
+/// U+FFFD, shown for bytes that cannot be decoded.
 inline constexpr char32_t replacement_character = 0xFFFD;
 
-/// Bytes from the front of `text` that are ASCII, except that up to seven may be missed before the first other byte.
-/// Cost: linear, many bytes at a time.
+/// Bytes from the front of `text` that are ASCII, except that up to seven may be missed before the first
+/// other byte. Cost: linear, many bytes at a time.
 [[nodiscard]] std::size_t ascii_prefix(std::string_view text);
 
 /// Bytes from the front of `text` that are well-formed UTF-8; text.size() when all of them are.

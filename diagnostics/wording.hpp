@@ -32,7 +32,7 @@ class Wording {
 
   Wording& operator+=(Wording const& more);
   friend Wording operator+(Wording one, Wording const& other) { return std::move(one += other); }
-  /// Compares what is written.
+  /// Compares the written texts.
   friend bool operator==(Wording const& one, std::string_view written) { return one.text_ == written; }
 
  private:

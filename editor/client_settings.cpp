@@ -1,5 +1,6 @@
 #include "editor/client_settings.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "editor/server.hpp"
 
 #include <array>
@@ -8,22 +9,21 @@
 
 namespace axisc::editor {
 
-using Json = nlohmann::json;
-
 namespace {
 
 constexpr std::string_view section_name = "axisc";
 
-/// Everything that machines are made of. Braces and brackets of patterns are not understood by every client.
+/// The id of the request for the client's settings.
+constexpr std::string_view settings_request = "axisc.settings";
+
+/// All files that a machine consists of. Not every client understands braces and brackets in patterns.
 constexpr std::array read_files = {"**/*.lis", "**/*.LIS", "**/*.json",   "**/*.nc",
                                    "**/*.NC",  "**/*.xml", "**/*.tsproj", "**/*.xti"};
 
 std::string text_of(Json const& section, char const* name) {
   auto const found = section.find(name);
   if (found == section.end() || !found->is_string()) return {};
-  auto const& text = found->get_ref<std::string const&>();
-  auto const begin = text.find_first_not_of(" \t");
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+  return std::string(ascii::trimmed(found->get_ref<std::string const&>()));
 }
 
 std::string request(Json const& id, std::string_view method, Json params) {
@@ -67,17 +67,17 @@ void Server::ask_for_notifications() {
                              {"registerOptions", {{"watchers", std::move(watchers)}}}});
   }
   if (registrations.empty()) return;
-  due_.push_back(request("axisc.registration", "client/registerCapability",
-                         {{"registrations", std::move(registrations)}}));
+  pending_.push_back(request("axisc.registration", "client/registerCapability",
+                             {{"registrations", std::move(registrations)}}));
 }
 
 void Server::ask_for_settings() {
   if (!gives_settings_) return;
-  due_.push_back(request(settings_request, "workspace/configuration",
-                         {{"items", Json::array({{{"section", section_name}}})}}));
+  pending_.push_back(request(settings_request, "workspace/configuration",
+                             {{"items", Json::array({{{"section", section_name}}})}}));
 }
 
-// Clients that support workspace/configuration may push other settings here, or none.
+// Clients that support workspace/configuration may push partial settings.
 Json Server::configure(Json const& params) {
   ask_for_settings();
   auto const told = params.is_object() ? client_settings(params.value("settings", Json())) : std::nullopt;
@@ -85,14 +85,16 @@ Json Server::configure(Json const& params) {
   return check_all(params);
 }
 
-void Server::take_settings(Json const& answer) {
-  apply(answer.is_array() && !answer.empty() ? settings_of_section(answer[0]) : ClientSettings{});
+void Server::take_answer(Json const& id, Json const& result) {
+  if (id != settings_request) return;
+  apply(result.is_array() && !result.empty() ? settings_of_section(result[0]) : ClientSettings{});
 }
 
 void Server::apply(ClientSettings const& settings) {
-  if (settings == settings_ || !surroundings_.configure) return;
+  if (settings == settings_ || !configure_) return;
   settings_ = settings;
-  surroundings_.language = surroundings_.configure(settings);
+  machines_.client().language = configure_(settings);
+  machines_.client().finding_page = settings.finding_page;
   check_all(nullptr);
 }
 

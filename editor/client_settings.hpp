@@ -1,28 +1,28 @@
-// What the settings of an editor say of the control and of the language: `axisc.cycleTime` and its neighbours.
+// Settings of the editor: `axisc.cycleTime`, `axisc.language` and others.
 #pragma once
+
+#include "editor/reading/requests.hpp"
 
 #include <optional>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
 namespace axisc::editor {
 
-/// As they are written; empty where the program's own options apply.
+/// As written by the user; empty if the program's own options apply.
 struct ClientSettings {
   std::string cycle_time;
   std::string build;
   std::string kind;
   std::string language;  ///< "de", "en", or "auto" for the program's own
-  /// Where editors lead from the code of a finding: a URI with {code} for it.
+  /// The page about a finding: a URI with {code} for its code.
   std::string finding_page;
 
   friend bool operator==(ClientSettings const&, ClientSettings const&) = default;
 };
 
-/// Of the section `axisc` of a client's settings; none where they do not have it.
-[[nodiscard]] std::optional<ClientSettings> client_settings(nlohmann::json const& all);
-/// Of the section itself. What is no text counts as empty.
-[[nodiscard]] ClientSettings settings_of_section(nlohmann::json const& section);
+/// From all settings of a client; none if the section `axisc` is missing.
+[[nodiscard]] std::optional<ClientSettings> client_settings(Json const& all);
+/// From the section itself. Values that are not strings count as empty.
+[[nodiscard]] ClientSettings settings_of_section(Json const& section);
 
 }  // namespace axisc::editor

@@ -1,5 +1,7 @@
 #include "editor/framing.hpp"
 
+#include "diagnostics/ascii.hpp"
+
 #include <charconv>
 
 namespace axisc::editor {
@@ -14,11 +16,7 @@ std::optional<std::size_t> content_length(std::string_view header) {
     auto const end = header.find("\r\n");
     auto line = header.substr(0, end);
     header.remove_prefix(end == std::string_view::npos ? header.size() : end + 2);
-    std::string lower(line.substr(0, name.size()));
-    for (char& character : lower) {
-      if (character >= 'A' && character <= 'Z') character = static_cast<char>(character - 'A' + 'a');
-    }
-    if (lower != name) continue;
+    if (!ascii::equal_ignoring_case(line.substr(0, name.size()), name)) continue;
     line.remove_prefix(name.size());
     while (line.starts_with(' ')) line.remove_prefix(1);
     std::size_t length = 0;

@@ -1,4 +1,4 @@
-// The frames of the language server protocol: a header with the length of the message, an empty line, the message.
+// Frames of the language server protocol: a header with the length, an empty line, the message.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 
 namespace axisc::editor {
 
-/// Longest message that is read.
+/// Longest accepted message, in bytes.
 inline constexpr std::size_t longest_message = std::size_t{1} << 30U;
 
 class FrameReader {
  public:
-  /// Takes bytes as they arrive.
+  /// Appends bytes that have arrived.
   void add(std::string_view bytes) { pending_ += bytes; }
-  /// The next complete message; none where bytes are missing, or after a header that gives no length.
+  /// The next complete message; none if bytes are missing, or if a header gave no usable length.
   [[nodiscard]] std::optional<std::string> next();
-  /// A header gave no usable length: where the next message begins is unknown.
+  /// A header gave no usable length, so the start of the next message is unknown.
   [[nodiscard]] bool is_broken() const { return is_broken_; }
 
  private:

@@ -1,5 +1,6 @@
 #include "configuration/json_nesting.hpp"
 #include "configuration/located_json.hpp"
+#include "editor/capabilities/capability_table.hpp"
 #include "editor/server.hpp"
 
 #include <array>
@@ -14,8 +15,6 @@ namespace axisc::editor {
 
 namespace {
 
-using Json = nlohmann::json;
-
 enum class ErrorCode : int {
   parse_error = -32700,
   invalid_request = -32600,
@@ -27,10 +26,6 @@ enum class ErrorCode : int {
   not_initialized = -32002,
 };
 
-std::string dump(Json const& message) {
-  return message.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 std::string error(Json const& id, ErrorCode code, std::string_view reason) {
   return dump(
       {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(code)}, {"message", reason}}}});
@@ -38,7 +33,7 @@ std::string error(Json const& id, ErrorCode code, std::string_view reason) {
 
 struct Received {
   Json message;
-  bool is_too_deep = false;  ///< copying or writing the message, which recurses, could exhaust the stack
+  bool is_too_deep = false;  ///< copying or writing it recursively could exhaust the stack
 };
 
 Received received(std::string_view text) {
@@ -54,7 +49,7 @@ std::string refusal_of_deep(Json const& message) {
       "the message is nested deeper than " + std::to_string(configuration::deepest_json) + " levels");
 }
 
-/// Where the requests of these ids are cancelled for the last time.
+/// The index of the last cancellation of each request, by its id.
 std::map<std::string, std::size_t> cancellations(std::vector<Received> const& messages) {
   static Json::json_pointer const id("/params/id");
   std::map<std::string, std::size_t> found;
@@ -112,11 +107,9 @@ std::vector<std::string> Server::receive(std::span<std::string const> messages) 
 std::vector<std::string> Server::take(Json const& message) {
   if (message.is_discarded()) return {error(nullptr, ErrorCode::parse_error, "not JSON")};
   if (!message.is_object()) return {error(nullptr, ErrorCode::invalid_request, "not a message")};
-  // An answer of the client.
+  // A response from the client.
   if (!message.contains("method") && (message.contains("result") || message.contains("error"))) {
-    if (message.contains("result") && message.value("id", Json()) == settings_request) {
-      take_settings(message["result"]);
-    }
+    if (message.contains("result")) take_answer(message.value("id", Json()), message["result"]);
     return {};
   }
   bool const is_request = message.contains("id");
@@ -139,15 +132,19 @@ std::vector<std::string> Server::take(Json const& message) {
     return refuse(ErrorCode::invalid_request, name + " is not possible now");
   }
   auto const handler = find(name);
-  if (handler == nullptr) return refuse(ErrorCode::method_not_found, "unknown method " + name);
+  auto const capability = find_capability(name);
+  if (handler == nullptr && capability == nullptr) {
+    return refuse(ErrorCode::method_not_found, "unknown method " + name);
+  }
   try {
-    auto const result = (this->*handler)(message.contains("params") ? message["params"] : Json());
+    auto const params = message.contains("params") ? message["params"] : Json();
+    auto const result = handler != nullptr ? (this->*handler)(params) : capability(machines_, params);
     // Pending messages are flushed before the shutdown reply.
-    auto messages = std::exchange(due_, {});
+    auto messages = std::exchange(pending_, {});
     if (phase_ == Phase::shut_down) {
-      for (auto& due : publish()) messages.push_back(std::move(due));
+      for (auto& pending : publish()) messages.push_back(std::move(pending));
     }
-    // Around the result, which may be large: no copy of it is made.
+    // The result may be large: it is not copied into another object.
     if (is_request) {
       messages.push_back(R"({"id":)" + dump(id) + R"(,"jsonrpc":"2.0","result":)" + dump(result) + "}");
     }

@@ -1,5 +1,7 @@
 #include "editor/server.hpp"
 
+#include "editor/capabilities/capability_table.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -7,125 +9,91 @@
 
 namespace axisc::editor {
 
-using Json = nlohmann::json;
+namespace {
 
-Server::Handler Server::find(std::string_view name) {
-  struct Method {
-    std::string_view name;
+/// A member of the parameters by its path; null if it is missing.
+Json member(Json const& params, std::string const& path) {
+  Json::json_pointer const at(path);
+  return params.is_object() && params.contains(at) ? params[at] : Json();
+}
+
+bool lists(Json const& texts, std::string_view text) {
+  return texts.is_array() && std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+struct EncodingName {
+  std::string_view name;
+  PositionEncoding encoding;
+};
+
+/// The first known encoding that the client offers.
+EncodingName chosen_encoding(Json const& offered) {
+  static constexpr std::array known = {EncodingName{"utf-16", PositionEncoding::utf16},
+                                       EncodingName{"utf-8", PositionEncoding::utf8},
+                                       EncodingName{"utf-32", PositionEncoding::utf32}};
+  for (auto const& name : offered.is_array() ? offered : Json::array()) {
+    for (auto const& each : known) {
+      if (name == each.name) return each;
+    }
+  }
+  return known.front();
+}
+
+}  // namespace
+
+Server::Handler Server::find(std::string_view method) {
+  struct Row {
+    std::string_view method;
     Handler handler;
   };
-  static constexpr std::array methods = {
-      Method{"initialize", &Server::initialize},
-      Method{"initialized", &Server::begin_conversation},
-      Method{"shutdown", &Server::shut_down},
-      Method{"exit", &Server::exit},
-      Method{"$/cancelRequest", &Server::ignore},
-      Method{"$/setTrace", &Server::ignore},
-      Method{"textDocument/didOpen", &Server::open},
-      Method{"textDocument/didChange", &Server::change},
-      Method{"textDocument/didClose", &Server::close},
-      Method{"textDocument/didSave", &Server::check_all},
-      Method{"workspace/didChangeWatchedFiles", &Server::check_all},
-      Method{"workspace/didChangeConfiguration", &Server::configure},
-      Method{"textDocument/diagnostic", &Server::pull},
-      Method{"textDocument/formatting", &Server::format},
-      Method{"textDocument/rangeFormatting", &Server::format_range},
-      Method{"textDocument/codeAction", &Server::code_actions},
-      Method{"textDocument/hover", &Server::hover},
-      Method{"textDocument/completion", &Server::complete},
-      Method{"completionItem/resolve", &Server::resolve_completion},
-      Method{"textDocument/prepareTypeHierarchy", &Server::prepare_hierarchy},
-      Method{"typeHierarchy/supertypes", &Server::supertypes},
-      Method{"typeHierarchy/subtypes", &Server::subtypes},
-      Method{"textDocument/definition", &Server::define},
-      Method{"textDocument/references", &Server::refer},
-      Method{"textDocument/prepareRename", &Server::refuse_renaming},
-      Method{"textDocument/rename", &Server::refuse_renaming},
-      Method{"workspace/symbol", &Server::workspace_symbols},
-      Method{"textDocument/foldingRange", &Server::fold},
-      Method{"textDocument/inlayHint", &Server::hints},
-      Method{"textDocument/semanticTokens/full", &Server::tokens},
-      Method{"textDocument/codeLens", &Server::lenses},
-      Method{"codeLens/resolve", &Server::resolve_lens},
-      Method{"workspace/executeCommand", &Server::execute},
-      Method{"textDocument/documentLink", &Server::links},
-      Method{"textDocument/documentSymbol", &Server::symbols},
+  static constexpr std::array rows = {
+      Row{"initialize", &Server::initialize},
+      Row{"initialized", &Server::begin_conversation},
+      Row{"shutdown", &Server::shut_down},
+      Row{"exit", &Server::exit},
+      Row{"$/cancelRequest", &Server::ignore},
+      Row{"$/setTrace", &Server::ignore},
+      Row{"textDocument/didOpen", &Server::open},
+      Row{"textDocument/didChange", &Server::change},
+      Row{"textDocument/didClose", &Server::close},
+      Row{"textDocument/didSave", &Server::check_all},
+      Row{"workspace/didChangeWatchedFiles", &Server::check_all},
+      Row{"workspace/didChangeConfiguration", &Server::configure},
   };
-  auto const* const found = std::find_if(methods.begin(), methods.end(),
-                                         [name](Method const& method) { return method.name == name; });
-  return found == methods.end() ? nullptr : found->handler;
+  auto const* const found =
+      std::find_if(rows.begin(), rows.end(), [method](Row const& row) { return row.method == method; });
+  return found == rows.end() ? nullptr : found->handler;
 }
 
 Json Server::initialize(Json const& params) {
-  std::string encoding = "utf-16";
-  auto const path = Json::json_pointer("/capabilities/general/positionEncodings");
-  if (params.is_object() && params.contains(path) && params[path].is_array()) {
-    for (auto const& offered : params[path]) {
-      if (offered == "utf-8") encoding_ = PositionEncoding::utf8;
-      if (offered == "utf-32") encoding_ = PositionEncoding::utf32;
-      if (offered != "utf-8" && offered != "utf-16" && offered != "utf-32") continue;
-      encoding = offered.get<std::string>();
-      break;
-    }
-  }
-  auto const formats = Json::json_pointer("/capabilities/textDocument/hover/contentFormat");
-  if (params.is_object() && params.contains(formats) && params[formats].is_array()) {
-    markdown_ =
-        std::find(params[formats].begin(), params[formats].end(), "markdown") != params[formats].end();
-  }
-  auto const is_set = [&params](char const* pointer) {
-    auto const at = Json::json_pointer(pointer);
-    return params.is_object() && params.contains(at) && params[at] == true;
+  auto const encoding = chosen_encoding(member(params, "/capabilities/general/positionEncodings"));
+  auto const formats = member(params, "/capabilities/textDocument/hover/contentFormat");
+  auto const item = [&](std::string const& path) {
+    return member(params, "/capabilities/textDocument/completion/completionItem/" + path);
   };
-  gives_settings_ = is_set("/capabilities/workspace/configuration");
-  registers_settings_ = is_set("/capabilities/workspace/didChangeConfiguration/dynamicRegistration");
-  watches_files_ = is_set("/capabilities/workspace/didChangeWatchedFiles/dynamicRegistration");
-  auto const lists = [&params](char const* pointer, std::string_view word) {
-    auto const at =
-        Json::json_pointer(std::string("/capabilities/textDocument/completion/completionItem/") + pointer);
-    if (!params.is_object() || !params.contains(at) || !params[at].is_array()) return false;
-    return std::find(params[at].begin(), params[at].end(), word) != params[at].end();
+  auto& client = machines_.client();
+  client.encoding = encoding.encoding;
+  client.markdown = !formats.is_array() || lists(formats, "markdown");
+  client.markdown_in_completion = lists(item("documentationFormat"), "markdown");
+  client.documents_lazily = lists(item("resolveSupport/properties"), "documentation");
+  auto const is_able = [&](std::string const& path) {
+    return member(params, "/capabilities/workspace/" + path) == true;
   };
-  documents_lazily_ = lists("resolveSupport/properties", "documentation");
-  markdown_in_completion_ = lists("documentationFormat", "markdown");
-  takes_pushed_ = params.is_object() &&
-                  params.contains(Json::json_pointer("/capabilities/textDocument/publishDiagnostics"));
-  if (params.is_object() && params.contains("initializationOptions")) {
-    auto const& options = params["initializationOptions"];
-    apply(client_settings(options).value_or(settings_of_section(options)));
-  }
+  gives_settings_ = is_able("configuration");
+  registers_settings_ = is_able("didChangeConfiguration/dynamicRegistration");
+  watches_files_ = is_able("didChangeWatchedFiles/dynamicRegistration");
+  auto const options = member(params, "/initializationOptions");
+  apply(client_settings(options).value_or(settings_of_section(options)));
   phase_ = Phase::running;
-  return {{"serverInfo", {{"name", "axisc"}}}, {"capabilities", capabilities(encoding)}};
-}
-
-Json Server::capabilities(std::string const& encoding) const {
-  Json names = Json::array();
-  for (auto const& command : page_commands()) names.push_back(command.name);
-  Json all = {
-      {"positionEncoding", encoding},
-      {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
-      {"documentFormattingProvider", true},
-      {"documentRangeFormattingProvider", true},
-      {"hoverProvider", true},
-      {"completionProvider", {{"triggerCharacters", {".", "#", "["}}, {"resolveProvider", true}}},
-      {"definitionProvider", true},
-      {"referencesProvider", true},
-      {"renameProvider", {{"prepareProvider", true}}},
-      {"typeHierarchyProvider", true},
-      {"foldingRangeProvider", true},
-      {"inlayHintProvider", true},
-      {"semanticTokensProvider", {{"legend", token_legend()}, {"full", true}}},
-      {"codeLensProvider", {{"resolveProvider", true}}},
-      {"documentLinkProvider", {{"resolveProvider", false}}},
-      {"documentSymbolProvider", true},
-      {"workspaceSymbolProvider", true},
-      {"executeCommandProvider", {{"commands", std::move(names)}}},
-      {"codeActionProvider", {{"codeActionKinds", {"quickfix", "refactor.rewrite", "source.fixAll.axisc"}}}}};
+  auto capabilities = announced_capabilities();
+  capabilities["positionEncoding"] = encoding.name;
+  capabilities["textDocumentSync"] = {{"openClose", true}, {"change", 2}, {"save", true}};
   // Clients that both pull and receive pushes show findings twice.
-  if (!takes_pushed_) {
-    all["diagnosticProvider"] = {{"interFileDependencies", true}, {"workspaceDiagnostics", false}};
+  static Json::json_pointer const pushed("/capabilities/textDocument/publishDiagnostics");
+  if (!params.is_object() || !params.contains(pushed)) {
+    capabilities["diagnosticProvider"] = {{"interFileDependencies", true}, {"workspaceDiagnostics", false}};
   }
-  return all;
+  return {{"serverInfo", {{"name", "axisc"}}}, {"capabilities", std::move(capabilities)}};
 }
 
 Json Server::shut_down(Json const& /*params*/) {
@@ -142,10 +110,6 @@ Json Server::exit(Json const& /*params*/) {
 // A row of the table holds a member. NOLINTNEXTLINE(readability-convert-member-functions-to-static)
 Json Server::ignore(Json const& /*params*/) {
   return nullptr;
-}
-
-Document& Server::document(Json const& params) {
-  return documents_.at(params.at("textDocument").at("uri").get<std::string>());
 }
 
 }  // namespace axisc::editor

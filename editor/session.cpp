@@ -47,9 +47,8 @@ Language Session::configure(ClientSettings const& settings) {
   take("axisc.build", settings.build, &CheckingOptions::build, &Options::build);
   take("axisc.kind", settings.kind, &CheckingOptions::kind, &Options::kind);
   if (!is_language && !settings.language.empty() && settings.language != "auto") {
-    mistakes_.push_back(
-        "axisc.language: " +
-        render({.sentence = says::unknown_language, .arguments = {{"value", settings.language}}}, language_));
+    mistakes_.push_back("axisc.language: " +
+                        say(says::unknown_language, language_, {{"value", settings.language}}));
   }
   return language_;
 }

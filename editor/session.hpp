@@ -1,4 +1,4 @@
-// What `axisc lsp` does with messages, however they reach it.
+// `axisc lsp` without its input and output: messages in, messages out.
 #pragma once
 
 #include "axisc/files/disk_files.hpp"
@@ -14,8 +14,8 @@
 
 namespace axisc::editor {
 
-/// A server with the settings that apply to each list. They are read again for every check, because they may have changed;
-/// the user is told once about each mistake in them.
+/// A server with the settings that apply to each list. They are read again for every check, because they may
+/// change. Each mistake in them is reported once.
 class Session {
  public:
   Session(validator::CheckOptions asked, Language language);
@@ -25,7 +25,7 @@ class Session {
 
   /// The answers to messages that arrived together, without frames.
   [[nodiscard]] std::vector<std::string> take(std::span<std::string const> messages);
-  /// Diagnostics of what has changed since the last call.
+  /// Diagnostics of everything that changed since the last call.
   [[nodiscard]] std::vector<std::string> publish();
   [[nodiscard]] bool has_ended() const { return server_.has_ended(); }
   [[nodiscard]] bool ended_properly() const { return server_.ended_properly(); }
@@ -35,15 +35,15 @@ class Session {
   [[nodiscard]] Language configure(ClientSettings const& settings);
   [[nodiscard]] std::vector<std::string> with_failure(std::vector<std::string> messages);
 
-  validator::CheckOptions started_;  ///< of the command line
-  validator::CheckOptions asked_;    ///< with the client's settings, which override them
+  validator::CheckOptions started_;  ///< from the command line
+  validator::CheckOptions asked_;    ///< with the settings of the client, which come first
   Language own_language_;
   Language language_;
   DiskFiles disk_;
-  std::optional<SettingsFinder> settings_;  ///< the options of a check refer to them
-  std::string failure_;                     ///< of the settings
+  std::optional<SettingsFinder> settings_;  ///< referenced by the options of a check
+  std::string failure_;                     ///< mistake in the settings
   std::set<std::string> told_;
-  std::vector<std::string> mistakes_;  ///< of the client's settings
+  std::vector<std::string> mistakes_;  ///< in the settings of the client
   OptionsOf options_;
   Server server_;
 };

@@ -1,4 +1,5 @@
-/* Durations by powers of two, in fixed memory. histogram_add costs some nanoseconds and may be called in the cycle. */
+/* Durations by powers of two, in fixed memory. histogram_add costs some nanoseconds and may be called in the
+ * cycle. */
 #ifndef AXISRT_EXAMPLES_HISTOGRAM_H
 #define AXISRT_EXAMPLES_HISTOGRAM_H
 

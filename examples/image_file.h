@@ -1,4 +1,5 @@
-/* An image from a file, at an address that the runtime accepts. A controller has its image in flash instead. */
+/* An image from a file, at an address that the runtime accepts. A controller has its image in flash instead.
+ */
 #ifndef AXISRT_EXAMPLES_IMAGE_FILE_H
 #define AXISRT_EXAMPLES_IMAGE_FILE_H
 

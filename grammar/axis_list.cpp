@@ -66,8 +66,7 @@ std::string_view up_to_parenthesis(std::string_view text) {
   return without_blanks(text.substr(0, position));
 }
 
-/// A line that could not be read may still carry a directive: from the first thing that looks like a
-/// comment.
+/// A line that could not be read may still carry a directive: from the first thing that looks like a comment.
 std::string_view comment_of_broken(std::string_view line) {
   std::size_t opener = 0;
   while (opener < line.size() && !lexical::opens_comment(line.substr(opener))) ++opener;
@@ -159,7 +158,7 @@ void AxisListReader::read_end(std::string_view line, std::string_view end, bool 
   }
 }
 
-/// The control does not read on, so neither characters nor syntax matter here.
+/// The control stops reading here, so neither characters nor syntax matter.
 void AxisListReader::read_behind_end(std::string_view line) {
   if (line.front() != lexical::hash) report_text_behind_end(line);
 }

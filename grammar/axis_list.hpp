@@ -2,9 +2,9 @@
 // exist.
 //
 // Reading never stops: every line is judged by itself, and a line with a problem contributes no assignment.
-// What only the catalogue can decide stays open here: whether a word is a symbol or a free string, and
-// therefore where a comment after it may begin. For that an assignment carries the token and the rest of the
-// line.
+// Questions that only the catalogue can decide stay open here: whether a word is a symbol or a free string,
+// and therefore where a comment after it may begin. For that an assignment carries the token and the rest of
+// the line.
 #pragma once
 
 #include "diagnostics/source_text.hpp"
@@ -26,8 +26,9 @@ enum class ValueKind : std::uint8_t {
   quoted,         ///< "name (with bracket)"; the span includes the quotes
   reference,      ///< P-AXIS-00212 or P-AXIS-00212.0
   decimal_comma,  ///< 1,8
-  malformed_number,  ///< begins like a number and is none: 12abc, 0x, 1e, 007; a string may well look so: 5.12.34.56.1.1
-  other,             ///< anything else that does not begin a comment: /path, %x
+  /// Begins like a number but is not one: 12abc, 0x, 1e, 007; a string such as 5.12.34.56.1.1 may, too.
+  malformed_number,
+  other,  ///< anything else that does not begin a comment: /path, %x
 };
 
 /// How the text after the value token begins (meaningful after numbers, booleans and references).
@@ -37,8 +38,8 @@ enum class TrailerKind : std::uint8_t { none, parenthesis, hash, slash_star, tex
 struct Assignment {
   Span name;   ///< as written: `filter[0].order`
   Span value;  ///< the value token
-  Span
-      trailer;  ///< text after the value token, without surrounding blanks; empty at the line's end if there is none
+  /// Text after the value token, without surrounding blanks; empty at the line's end if there is none.
+  Span trailer;
   std::uint32_t line = 0;  ///< from 1
   ValueKind kind = ValueKind::word;
   TrailerKind trailer_kind = TrailerKind::none;
@@ -46,13 +47,12 @@ struct Assignment {
   friend bool operator==(Assignment const&, Assignment const&) = default;
 };
 
-/// From the value token to the first `(` outside quotes or the line's end, without trailing blanks: what a
-/// parameter is given that takes any text. Cost: a search through the rest of the line.
+/// From the value token to the first `(` outside quotes or the line's end, without trailing blanks: the value
+/// of a parameter that takes any text. Cost: a search through the rest of the line.
 [[nodiscard]] Span free_text(std::string_view bytes, Assignment const& assignment);
 
 enum class ProblemKind : std::uint8_t {
-  invalid_character,    ///< AX1001: control character, NUL, lone CR, or a byte that the encoding does not
-                        ///< define
+  invalid_character,    ///< AX1001: control character, NUL, lone CR, or a byte undefined in the encoding
   expected_name,        ///< AX1002
   expected_value,       ///< AX1003: span is the name
   malformed_index,      ///< AX1004: span is from `[` to the end of the broken index
@@ -82,8 +82,9 @@ struct AxisList {
 inline constexpr std::size_t longest_line = 1U << 20U;
 
 /// `bytes` without byte order mark begins at `text_begin`; `windows_1252` chooses which bytes above 0x7F are
-/// letters and which are undefined; `lines_before` of its file come before `bytes`. Cost: one pass, linear also in the number of problems. The caller has
-/// checked that no line is longer than `longest_line` (see `longest_line_in`).
+/// letters and which are undefined; `lines_before` of its file come before `bytes`. Cost: one pass, linear
+/// also in the number of problems. The caller has checked that no line is longer than `longest_line` (see
+/// `longest_line_in`).
 [[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252,
                                        std::uint32_t lines_before = 0);
 

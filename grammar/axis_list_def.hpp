@@ -99,8 +99,8 @@ inline constexpr auto quoted = quotation >> word_end;
 inline constexpr auto closed_if_quoted = (!lit('"')) | must<ProblemKind::unterminated_string>[&quotation];
 inline constexpr auto other = -quotation >> any_until<character::blank>;
 
-// A number counts only as a whole token; what merely begins like one is a malformed number, so the order
-// matters.
+// A number counts only as a whole token; a token that merely begins like one is a malformed number, so the
+// order matters.
 inline constexpr auto value = x3::rule<struct ValueRule, ValueToken>{"value"} =
     attr(ValueKind::integer) >> raw[integer >> token_end]                //
     | attr(ValueKind::reference) >> raw[reference >> word_end]           //

@@ -15,7 +15,7 @@ struct Failure;
 
 class AxisListReader {
  public:
-  /// `bytes` live longer than the reader.
+  /// `bytes` must outlive the reader.
   explicit AxisListReader(std::string_view bytes);
 
   /// One line without its line end, a piece of the text, by the grammar. `number` grows from line to line,
@@ -26,11 +26,11 @@ class AxisListReader {
     list_.assignments.insert(list_.assignments.end(), assignments.begin(), assignments.end());
   }
 
-  /// What was read so far.
+  /// The part of the list that was read so far.
   [[nodiscard]] AxisList const& list() const { return list_; }
-  /// Behind `Ende` the control reads no further.
+  /// After `Ende` the control reads no further.
   [[nodiscard]] bool has_ended() const { return list_.end_marker.has_value(); }
-  /// The whole text was read, so many lines.
+  /// To be called when the whole text, this many lines, was read.
   [[nodiscard]] AxisList finish(std::uint32_t lines) && {
     list_.lines = lines;
     return std::move(list_);

@@ -1,4 +1,4 @@
-// Which bytes axis lists and NC programs tell apart, as one table.
+// The classes of bytes that axis lists and NC programs distinguish, as one table.
 #pragma once
 
 #include <array>

@@ -87,7 +87,7 @@ struct Text : x3::parser<Text<in_any_case>> {
   }
 };
 
-/// Matches nothing, where `fact` says so of the text from here on; no attribute.
+/// Matches nothing, where `fact` holds for the text from here on; no attribute.
 template <auto fact>
 struct Where : x3::parser<Where<fact>> {
   using attribute_type = x3::unused_type;

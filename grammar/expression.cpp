@@ -119,7 +119,7 @@ std::optional<double> value_of(Expression const& expression,
       stack.back() = binary(step.operation, stack.back(), right);
     }
   }
-  // More than one value is left where the text broke off in the middle of an operation.
+  // More than one value is left where the text ended in the middle of an operation.
   if (stack.size() != 1 || !std::isfinite(stack.front())) return std::nullopt;
   return stack.front();
 }

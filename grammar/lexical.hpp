@@ -1,5 +1,5 @@
 // How the tokens of an axis list are spelled, stated once: for the grammar (axis_list_def.hpp), for the quick
-// reader of plain lines (plain_lines.hpp) and for who converts their values.
+// reader of plain lines (plain_lines.hpp) and for code that converts their values.
 #pragma once
 
 #include "diagnostics/ascii.hpp"
@@ -39,7 +39,7 @@ constexpr bool is_end_marker(std::string_view word) {
 inline constexpr CharacterClasses begins_name = character::letter;
 inline constexpr CharacterClasses continues_name = character::letter | character::digit;
 
-// Words go on to the next blank or parenthesis, with whatever precedes it.
+// Words continue to the next blank or parenthesis, with whatever precedes it.
 inline constexpr CharacterClasses begins_word = character::letter | character::high;
 inline constexpr CharacterClasses ends_word = character::blank | character::parenthesis;
 
@@ -55,11 +55,11 @@ constexpr bool begins_hexadecimal(std::string_view token) {
 // The value of another parameter.
 inline constexpr std::string_view reference_prefix = "P-AXIS-";
 inline constexpr int reference_digits = 5;
-/// What the number of any parameter begins with: P-AXIS-00212, P-CHAN-00001.
+/// The beginning of every parameter's number: P-AXIS-00212, P-CHAN-00001.
 inline constexpr std::string_view parameter_number_prefix = "P-";
 
-/// What a token of letters, digits and underscores alone is; none for other tokens and for those that begin
-/// like a number and are not a decimal integer.
+/// The kind of a token that consists of letters, digits and underscores; none for other tokens and for those
+/// that begin like a number and are not a decimal integer.
 constexpr std::optional<ValueKind> simple_kind(std::string_view token) {
   auto const consists_of = [token](CharacterClasses classes) {
     return std::all_of(token.begin(), token.end(), [classes](char byte) { return is(classes, byte); });

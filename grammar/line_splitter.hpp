@@ -34,7 +34,7 @@ class LineSplitter {
     return true;
   }
 
-  /// Somebody else has read the lines before `position`, `number` is that of the last one.
+  /// To be called when other code has read the lines before `position`; `number` is that of the last one.
   void go_on_at(char const* position, std::uint32_t number) {
     position_ = position;
     number_ = number;

@@ -1,4 +1,4 @@
-// `must<kind>[p]`: the place where a line has to go on with `p`. On failure it remembers what was expected
+// `must<kind>[p]`: the place where a line has to continue with `p`. On failure it remembers what was expected
 // and where, and the line fails like with any other parser: nothing is thrown, so a file full of mistakes
 // reads as fast as a sound one.
 //
@@ -10,8 +10,8 @@
 
 namespace axisc::grammar {
 
-/// The first expectation of a line that was not met; `where` is null while there is none. Each grammar has its own
-/// enumeration of what can be wrong.
+/// The first expectation of a line that was not met; `where` is null while there is none. Each grammar has
+/// its own enumeration of possible mistakes.
 template <typename Kind>
 struct Failure {
   Kind kind{};

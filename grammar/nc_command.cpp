@@ -53,7 +53,7 @@ class CommandReader {
  public:
   CommandReader(std::string_view text, std::uint32_t offset) : text_(text), offset_(offset) {}
 
-  /// Is then after what belongs to the command.
+  /// Afterwards `position` is after the command, or at its first problem.
   NcCommand read(char const*& position) {
     char const* const end = text_.data() + text_.size();
     block_syntax::CommandName name;
@@ -92,8 +92,8 @@ class CommandReader {
                                    : span(token_at(position, end))};
   }
 
-  /// What a message points at: a string, or up to the next blank or whatever else ends a value, at least one
-  /// byte.
+  /// The part that a message points at: a string, or up to the next blank or whatever else ends a value, at
+  /// least one byte.
   static std::string_view token_at(char const* first, char const* end) {
     char const* stop = first;
     if (!block_syntax::text.parse(stop, end, x3::unused, x3::unused, x3::unused)) {

@@ -57,8 +57,8 @@ struct NcCommand {
   CommandSwitch command_switch = CommandSwitch::none;
   std::vector<Keyword> keywords;
   std::optional<CommandProblem> problem;
-  /// Of kind `other`: the words that begin or end like `#FILTER` or `#VIB GUARD` and may be one of them, misspelt:
-  /// `#FILTR`, `# FILTER`, `#VIB_GUARD`. Else empty.
+  /// Of kind `other`: the words that begin or end like `#FILTER` or `#VIB GUARD` and may be one of them,
+  /// misspelt: `#FILTR`, `# FILTER`, `#VIB_GUARD`. Else empty.
   Span resembling;
   std::uint32_t line = 0;  ///< of the name, from 1
 };
@@ -72,8 +72,8 @@ struct NcCommand {
 /// where the text begins with anything else. Spans count from the start of `text`.
 [[nodiscard]] std::optional<NcCommand> parse_nc_command(std::string_view text);
 
-/// The command whose `#` is at `position` of a block; its spans count from `offset` more. `position` is then
-/// after what belongs to it, or where it is not written as it should be.
+/// The command whose `#` is at `position` of a block; its spans count from `offset` more. Afterwards
+/// `position` is after the command, or where it is not written as it should be.
 [[nodiscard]] NcCommand read_nc_command(std::string_view block, std::size_t& position, std::uint32_t offset);
 
 }  // namespace axisc::grammar

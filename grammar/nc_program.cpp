@@ -10,11 +10,11 @@
 namespace axisc::grammar {
 namespace {
 
-/// A block that goes on for longer than this ends at the line that reached it; what a line may have, a block
-/// may have.
+/// A block that continues for longer than this ends at the line that reached it; a block may be as long as a
+/// line may be.
 constexpr std::size_t longest_block = 1U << 20U;
 
-/// Runs one parser from `first` on; `first` is then after what matched.
+/// Runs one parser from `first` on; afterwards `first` is after the match.
 template <typename Parser, typename Attribute>
 bool parse(Parser const& parser, char const*& first, char const* last, Attribute& attribute) {
   return parser.parse(first, last, x3::unused, x3::unused, attribute);

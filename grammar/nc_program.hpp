@@ -1,7 +1,7 @@
-// An NC program as its commands with spans, or as its words for those who follow them.
+// An NC program as its commands with spans, or as its words for callers that follow them.
 //
 // A program is read line by line, whatever its length: a line knows of the one before only through an open
-// `#COMMENT BEGIN`, or through a `\` at its end, which lets its block go on. A mistake in a command never
+// `#COMMENT BEGIN`, or through a `\` at its end, which lets its block continue. A mistake in a command never
 // hides another line. A comment, `( … )` or `; …`, may be in every gap; text in a comment or in a string is
 // not a command.
 #pragma once
@@ -35,7 +35,7 @@ struct Word {
   std::uint32_t line = 0;  ///< from 1
 };
 
-/// Receives what a program says, in the order of its text.
+/// Receives the parts of a program in the order of its text.
 class ProgramListener {
  public:
   virtual ~ProgramListener() = default;
@@ -62,9 +62,9 @@ class ProgramReader {
   /// The next line without its line end; `offset` is its place in the program, from which all spans count.
   /// `text` may change afterwards.
   void line(std::string_view text, std::uint32_t offset);
-  /// Behind the last line.
+  /// After the last line.
   void finish();
-  /// A block that began on an earlier line goes on with the next one.
+  /// A block that began on an earlier line continues with the next one.
   [[nodiscard]] bool block_is_open() const { return !open_block_.empty(); }
 
  private:
@@ -76,19 +76,19 @@ class ProgramReader {
   ProgramDetail detail_;
   std::uint32_t number_ = 0;  ///< of the line read last
   bool in_comment_ = false;   ///< after #COMMENT BEGIN
-  std::string open_block_;    ///< the lines of a block that goes on, as blanks what does not belong to it
+  std::string open_block_;    ///< the lines of a block that continues, with blanks for other text
   std::uint32_t open_offset_ = 0;
   std::uint32_t open_line_ = 0;
 };
 
-/// What the checks look at: of a program of any length only these are kept.
+/// The parts of a program that the checks look at: only these are kept, however long it is.
 struct NcProgram {
   std::vector<NcCommand> commands;  ///< of kind `other` only those that resemble a filter command
   std::vector<Directive> directives;
   std::uint32_t lines = 0;
 };
 
-/// Receives what an NcProgram keeps.
+/// Receives the parts that an NcProgram keeps.
 class ProgramCollector final : public ProgramListener {
  public:
   void word(Word const& /*word*/) override {}

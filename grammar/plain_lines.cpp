@@ -1,7 +1,7 @@
 // A line is cut by calculating with one bit for each of its bytes.
 //
-// What differs from line to line (comment or none, one blank or many) is computed and not decided: a branch
-// that the processor guesses wrong costs as much as a third of a line.
+// Differences between lines (comment or none, one blank or many) are computed without branches: a branch that
+// the processor guesses wrong costs as much as a third of a line.
 #include "grammar/plain_lines.hpp"
 
 #include "grammar/text_block.hpp"
@@ -36,7 +36,7 @@ Bits lowest(Bits bits) {
 Bits first_run(Bits bits) {
   return bits & ~(bits + lowest(bits));
 }
-/// Those of the first `count` places, also of more than there are.
+/// Those of the first `count` places, which may be more than there are.
 Bits first_of(Bits bits, std::uint32_t count) {
   return count < block_size ? bits & ((Bits{1} << count) - 1) : bits;
 }
@@ -48,8 +48,8 @@ Bits first_of(Bits bits, std::uint32_t count) {
   }
 }
 
-/// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, a blank or the
-/// line's end is there.
+/// The kind of a trailer by its first byte; a slash needs a second look. Where there is no trailer, the byte
+/// is a blank or the line's end.
 constexpr std::array<TrailerKind, 256> trailer_kinds = [] {
   std::array<TrailerKind, 256> kinds{};
   kinds.fill(TrailerKind::text);

@@ -21,7 +21,7 @@ class ProgramExcerptReader {
 
   /// The next line without its line end and without a byte order mark.
   void line(std::string_view text);
-  /// Behind the last line, before the results are looked at.
+  /// After the last line, before the results are used.
   void finish();
 
   /// Its spans count in bytes(), its lines in the whole program.
@@ -38,7 +38,7 @@ class ProgramExcerptReader {
   ProgramReader reader_;
   std::string bytes_;
   std::vector<std::uint32_t> numbers_;
-  // Lines after these belong to an open block and go when nothing is found in it.
+  // Lines after these belong to an open block and are dropped when nothing is found in it.
   std::size_t kept_bytes_ = 0;
   std::size_t kept_lines_ = 0;
 };

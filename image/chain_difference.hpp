@@ -1,4 +1,4 @@
-// What another filter configuration does to an axis: figures of both chains, side by side.
+// The effect of another filter configuration on an axis: figures of both chains, side by side.
 #pragma once
 
 #include "image/chain_figures.hpp"
@@ -34,8 +34,9 @@ struct AxesToCompare {
   std::size_t before = 0, after = 0;
 };
 
-/// For each pair, of which no axis is in two; none where both axes filter their setpoints alike: the same filters and taps at
-/// the same NC cycle time. Cost: that of chain_figures() for all axes that differ, at once.
+/// For each pair, of which no axis is in two; none where both axes filter their setpoints alike: the same
+/// filters and taps at the same NC cycle time. Cost: that of chain_figures() for all axes that differ, at
+/// once.
 [[nodiscard]] std::vector<std::optional<ChainDifference>> compare_chains(
     ImageSide const& before, ImageSide const& after, std::span<AxesToCompare const> pairs);
 

@@ -46,8 +46,8 @@ double distance_to_origin(double x0, double y0, double x1, double y1) {
   return std::hypot(x0 + t * dx, y0 + t * dy);
 }
 
-/// One axis ends a ramp in the corner while the other begins one. By superposition the ending ramp's answer is the endless
-/// ramp's, n - delay, less the beginning one's, r[n].
+/// One axis ends a ramp in the corner while the other begins one. By superposition the ending ramp's answer
+/// is the endless ramp's, n - delay, less the beginning one's, r[n].
 class Corner {
  public:
   explicit Corner(double delay) : delay_(delay), nearest_(delay), x_before_(-delay) {}
@@ -91,8 +91,8 @@ Followed followed(ImageContents const& contents, std::size_t axis) {
   return each;
 }
 
-/// Executes the chains of the axes at once, from rest at 0; `setpoint(n)` from cycle 0 on, `take(axis, n, answer)` for as
-/// many cycles as the axis wants. The axes come by falling numbers of cycles.
+/// Executes the chains of the axes at once, from rest at 0; `setpoint(n)` from cycle 0 on, `take(axis, n,
+/// answer)` for as many cycles as the axis wants. The axes come by falling numbers of cycles.
 template <class Setpoint, class Take>
 void execute(RuntimeHost& host, std::vector<Followed*> const& axes, Setpoint setpoint, Take take) {
   std::vector<double> in(host.axis_count(), 0);
@@ -166,7 +166,7 @@ ChainFigures chain_figures(std::span<std::byte const> image, ImageContents const
 
 bool reaches_peak_gain(ImageContents const& contents, std::size_t axis) {
   double const stated = contents.axes[axis].peak_gain;
-  if (is_about(stated, 1)) return true;  // what arrives in the end
+  if (is_about(stated, 1)) return true;  // reached by a constant setpoint
   auto const chain = designs(contents.axes[axis]);
   if (chain.empty()) return true;
   return kernel_at_start(contents, axis) == nullptr && is_about(stated, summed_gain(chain));

@@ -64,7 +64,8 @@ struct ImageGroup {
   std::uint32_t off_fade_cycles = 0;
 };
 
-/// A stage of Improved Position Control. Its oscillator, if any, is the first filter: type 0, the damping as quality.
+/// A stage of Improved Position Control. Its oscillator, if any, is the first filter: type 0, the damping as
+/// quality.
 struct ImageStage {
   std::uint32_t index = 0;
   machine::StageMode mode = machine::StageMode::direct;

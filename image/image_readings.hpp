@@ -1,4 +1,4 @@
-// What an image was told that its control makes of its filters.
+// The readings of the control that an image was made for.
 #pragma once
 
 #include "design/readings.hpp"
@@ -9,7 +9,7 @@
 
 namespace axisc::image {
 
-/// Of the setpoint chain and the linear-phase kernel of one axis.
+/// The readings of the setpoint chain and the linear-phase kernel of one axis.
 [[nodiscard]] design::Readings readings_of(ImageContents const& contents, std::size_t axis);
 
 /// "filters: no-prewarping, cycle_time: double": the keys and words of settings; "documented" without any.

@@ -14,8 +14,7 @@
 
 namespace axisc::image {
 
-/// Records of one section. A higher minor version may have longer ones; what is known stands at their
-/// beginning.
+/// Records of one section. A higher minor version may have longer ones; known fields are at their beginning.
 template <class RecordType>
 class Records {
  public:

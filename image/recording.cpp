@@ -21,7 +21,7 @@ std::uint64_t word_at(std::span<std::byte const> dump, std::size_t index) {
   return word;
 }
 
-/// Words of an entry behind its head; 0 for an unknown kind.
+/// Words of an entry after its head; 0 for an unknown kind.
 std::size_t size_of(std::uint64_t kind, std::size_t axes) {
   std::size_t const status = (axes + statuses_in_word - 1) / statuses_in_word;
   switch (kind) {
@@ -77,7 +77,7 @@ std::variant<Recording, axisrt_status> Recording::open(std::span<std::byte const
   config.image = owned_image.data();
   config.image_size = owned_image.size();
   bool const has_header = dump.size() >= axrd_header_words * word_size;
-  // A level that is none is answered by the runtime, behind the checksum.
+  // The runtime refuses an invalid level, after it has checked the checksum.
   auto const level = has_header ? static_cast<std::uint32_t>(word_at(dump, 1)) : 0;
   config.level = level == AXISRT_LEVEL_AUTOMATIC ? std::uint32_t{AXISRT_LEVEL_PORTABLE} : level;
   std::size_t size = 0;

@@ -24,13 +24,13 @@ enum class RecordedKind : std::uint8_t {
   command
 };
 
-/// A call, what it gave when it was recorded and what it gives now.
+/// A call, its results when it was recorded, and its results now.
 struct ReplayedEntry {
   RecordedKind kind = RecordedKind::step;
   std::uint64_t cycle = 0;  ///< calls of axisrt_step before this one
   std::uint32_t index = 0;  ///< axis, or group of a command
   std::vector<double> in;   ///< of all axes, one port's after the other; the numbers of a call between cycles
-  std::vector<double> recorded, computed;  ///< outputs, alike
+  std::vector<double> recorded, computed;  ///< outputs, likewise
   std::vector<std::uint8_t> status;        ///< of all axes; empty where the controller did not ask for it
   axisrt_status recorded_status = AXISRT_OK, computed_status = AXISRT_OK;
   axisrt_filter_command command{};
@@ -41,14 +41,15 @@ struct ReplayedEntry {
 
 class Recording {
  public:
-  /// Checks the dump, and puts a runtime of the recorded level into its first state. A status of axisrt_restore otherwise.
+  /// Checks the dump, and puts a runtime of the recorded level into its first state. A status of
+  /// axisrt_restore otherwise.
   [[nodiscard]] static std::variant<Recording, axisrt_status> open(std::span<std::byte const> image,
                                                                    std::span<std::byte const> dump);
 
   /// An axisrt_level.
   [[nodiscard]] std::uint32_t level() const { return axisrt_level_of(runtime_); }
   [[nodiscard]] std::uint32_t axis_count() const { return axisrt_axis_count(runtime_); }
-  /// Executes the next entry; false at the end, or where the rest is no entry (`damaged`).
+  /// Executes the next entry; false at the end, or where the rest is not an entry (`damaged`).
   [[nodiscard]] bool next(ReplayedEntry& entry);
   [[nodiscard]] bool damaged() const { return damaged_; }
 

@@ -17,15 +17,15 @@
 
 namespace axisc::image {
 
-/// Bytes that the runtime needs for an image at an axisrt_level, also at one that this processor lacks. Expects a verified
-/// image and a known level.
+/// Bytes that the runtime needs for an image at an axisrt_level, also at one that this processor lacks.
+/// Expects a verified image and a known level.
 [[nodiscard]] std::size_t runtime_memory(std::span<std::byte const> image, std::uint32_t level);
 
 class RuntimeHost {
  public:
   /// Copies and verifies the image and runs its self-tests. Without `cycle_time` the controller is taken to
-  /// run at the image's own; `level` is an axisrt_level; portable gives
-  /// the same results on every host. Throws std::bad_alloc only.
+  /// run at the image's own; `level` is an axisrt_level; portable gives the same results on every host.
+  /// Throws std::bad_alloc only.
   [[nodiscard]] static std::variant<RuntimeHost, axisrt_status> create(
       std::span<std::byte const> image, std::optional<design::CycleTime> cycle_time = std::nullopt,
       std::uint32_t level = AXISRT_LEVEL_PORTABLE);
@@ -54,7 +54,7 @@ class RuntimeHost {
                                              double v_direct) {
     return axisrt_reset_velocity(runtime_, axis, v_set, v_motor, v_direct);
   }
-  /// What a #FILTER command does to a group. Parameters are ignored for OFF.
+  /// Executes a #FILTER command for a group. Parameters are ignored for OFF.
   [[nodiscard]] axisrt_status command(std::uint32_t group, machine::FilterCommand const& command);
   /// The end of an NC program.
   [[nodiscard]] axisrt_status end_program(std::uint32_t group);
@@ -81,9 +81,9 @@ class RuntimeHost {
 
   [[nodiscard]] std::variant<axisrt_axis_state, axisrt_status> axis_state(std::uint32_t axis) const;
 
-  /// Keeps what is given and given out in the last `cycles` cycles from now on.
+  /// Records inputs and outputs of the last `cycles` cycles from now on.
   [[nodiscard]] axisrt_status record(std::uint32_t cycles);
-  /// What was recorded, as axisrt_recorder_dump writes it; empty without a recorder.
+  /// The recording, as axisrt_recorder_dump writes it; empty without a recorder.
   [[nodiscard]] std::vector<std::byte> recording() const;
 
  private:

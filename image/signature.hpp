@@ -1,4 +1,5 @@
-// Signatures of images: Ed25519 with libsodium, as a trailer behind the image (docs/image-format.md, record trailer).
+// Signatures of images: Ed25519 with libsodium, as a trailer after the image (docs/image-format.md, record
+// trailer).
 #pragma once
 
 #include "axisrt.h"
@@ -41,7 +42,7 @@ class SecretKey {
 
 [[nodiscard]] KeyId key_id(PublicKey const& key);
 
-// Key files are one line: a word that says what it is, and the key in hexadecimal digits.
+// Key files are one line: a word for its kind, and the key in hexadecimal digits.
 
 /// To be wiped by the caller.
 [[nodiscard]] std::string secret_key_text(SecretKey const& key);
@@ -49,7 +50,7 @@ class SecretKey {
 /// Nothing for any other text, and for a secret key whose two halves do not belong together.
 [[nodiscard]] std::optional<SecretKey> read_secret_key(std::string_view text);
 [[nodiscard]] std::optional<PublicKey> read_public_key(std::string_view text);
-/// Overwrites what held a secret.
+/// Overwrites memory that held a secret.
 void wipe(std::span<char> text);
 
 // These expect an image that read_image() accepts, with or without a trailer.
@@ -59,8 +60,8 @@ void wipe(std::span<char> text);
 /// The key that the trailer names; nothing for an unsigned image.
 [[nodiscard]] std::optional<KeyId> signer(std::span<std::byte const> image);
 
-/// What a controller that holds `key` says: AXISRT_OK, AXISRT_UNSIGNED, AXISRT_WRONG_SIGNATURE, or what axisrt_verify
-/// returns.
+/// The answer of a controller that holds `key`: AXISRT_OK, AXISRT_UNSIGNED, AXISRT_WRONG_SIGNATURE, or the
+/// status of axisrt_verify.
 [[nodiscard]] axisrt_status check_signature(std::span<std::byte const> image, PublicKey const& key);
 
 /// An axisrt_verify_signature; its context is a PublicKey.

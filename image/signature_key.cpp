@@ -18,10 +18,10 @@ constexpr std::string_view secret_word = "axisc-secret-key-1 ";
 constexpr std::string_view public_word = "axisc-public-key-1 ";
 
 std::string key_text(std::string_view word, std::span<std::uint8_t const> bytes) {
-  // One piece of memory: nothing of a secret stays in one that was outgrown.
+  // Allocated once: a buffer that has to grow would leave a part of the secret in its old memory.
   std::string text(word.size() + 2 * bytes.size() + 1, '\n');
   std::copy(word.begin(), word.end(), text.begin());
-  // Writes a zero behind the digits, where the line end then goes.
+  // Writes a zero after the digits, where the line end goes afterwards.
   sodium_bin2hex(text.data() + word.size(), 2 * bytes.size() + 1, bytes.data(), bytes.size());
   text.back() = '\n';
   return text;

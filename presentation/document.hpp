@@ -1,4 +1,5 @@
-// An answer, described once: facts, tables, paragraphs and figures as data. writers.hpp writes it in every format.
+// An answer, described once: facts, tables, paragraphs and figures as data. writers.hpp writes it in every
+// format.
 #pragma once
 
 #include "presentation/pictures/figure.hpp"
@@ -13,7 +14,7 @@
 
 namespace axisc::presentation {
 
-/// Whom a part of an answer is for. People read text, Markdown and HTML, programs read JSON and CSV.
+/// The readers of a part of an answer. People read text, Markdown and HTML, programs read JSON and CSV.
 enum class Audience : std::uint8_t { all, people, programs };
 
 /// One value under a name. Keys are snake_case and end with the suffix of their unit.
@@ -40,7 +41,7 @@ struct Column {
   std::string member =
       {};  ///< where columns of one key form an object in JSON: its member; "key.member" in CSV
   Audience audience = Audience::all;
-  bool is_head = false;  ///< says what a row is about: repeated where a wide table is divided
+  bool is_head = false;  ///< identifies a row: repeated where a wide table is divided
 };
 
 [[nodiscard]] Column column(std::string key, Words label, Unit unit = Unit::none, std::string member = {});
@@ -58,8 +59,8 @@ struct Table {
   std::vector<Row> rows;  ///< as many values as columns
   Audience audience = Audience::all;
   std::size_t most_shown =
-      static_cast<std::size_t>(-1);  ///< rows that people see; then how many more there are
-  std::size_t left_out = 0;          ///< rows that nobody sees: there were too many to keep
+      static_cast<std::size_t>(-1);  ///< rows shown to people; then the number of further rows
+  std::size_t left_out = 0;          ///< rows that are not kept because there were too many
 };
 
 /// A row for each element.
@@ -71,7 +72,7 @@ template <class Range, class ToRow>
   return table;
 }
 
-/// A sentence for people; what programs need of it is a field.
+/// A sentence for people; the parts of it that programs need are fields.
 struct Paragraph {
   Words words;
 };
@@ -96,7 +97,8 @@ struct Section {
   std::string key;
   std::optional<Words> title;
   std::vector<Block> blocks;
-  /// What tells it from its neighbours: first members in JSON, first columns in CSV; for people the title says it.
+  /// Distinguishes it from its neighbours: first members in JSON, first columns in CSV; for people the title
+  /// does so.
   std::vector<Field> identity = {};
   Audience audience = Audience::all;
 };

@@ -68,7 +68,7 @@ Wording number_of(double value, Digits digits) {
     case Digits::Kind::significant:
       return format_rounded(value, digits.count);
     case Digits::Kind::decimals:
-      // What rounds to zero has no sign.
+      // A number that rounds to zero has no sign.
       return format_fixed(std::abs(value) < std::pow(10.0, -digits.count) / 2 ? 0 : value, digits.count);
   }
   return {};

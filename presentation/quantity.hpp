@@ -1,5 +1,5 @@
-// A number with its unit: the one home of digits, decimal signs and units. A value is kept as it was computed; how much
-// of it a reader sees is decided when it is written.
+// A number with its unit: the one home of digits, decimal signs and units. A value is kept as it was
+// computed; the digits that a reader sees are chosen when it is written.
 #pragma once
 
 #include "diagnostics/sentence.hpp"
@@ -71,7 +71,7 @@ struct Quantity {
 [[nodiscard]] std::string quantity_text(Quantity const& quantity, Language language);
 /// "ms", as headings of columns have it; empty for numbers without a unit.
 [[nodiscard]] std::string_view symbol(Unit unit, Language language);
-/// With what the key of such a value ends in JSON and CSV: "_ms"; empty for numbers without a unit.
+/// The suffix of such a value's key in JSON and CSV: "_ms"; empty for numbers without a unit.
 [[nodiscard]] std::string_view key_suffix(Unit unit);
 
 /// For programs: reads back as the same double; "null" where there is no finite number.

@@ -1,4 +1,4 @@
-// Which parts of a document people and programs see, and tables as people see them.
+// The parts of a document that people and programs see, and tables as people see them.
 #pragma once
 
 #include "presentation/document.hpp"
@@ -18,7 +18,7 @@ struct ShownTable {
   std::vector<bool> is_right;  ///< columns of numbers
   std::vector<bool> is_head;   ///< see Column
   std::vector<std::vector<std::string>> rows;
-  std::string more;  ///< says how many rows are not shown; empty for a whole table
+  std::string more;  ///< the number of rows not shown, as a sentence; empty for a whole table
 };
 [[nodiscard]] ShownTable shown_table(Table const& table, Language language);
 

@@ -76,7 +76,7 @@ class TextWriter {
   }
 
  private:
-  static constexpr std::size_t narrowest = 20;  ///< of a value beside its label
+  static constexpr std::size_t narrowest = 20;  ///< of a value next to its label
 
   /// A line between a table and what else has columns.
   void end_table() {

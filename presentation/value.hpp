@@ -1,4 +1,5 @@
-// Values of an answer, and sentences about them. Neither knows its language: it is chosen when they are written.
+// Values of an answer, and sentences about them. Neither knows its language: it is chosen when they are
+// written.
 #pragma once
 
 #include "diagnostics/wording.hpp"
@@ -48,7 +49,7 @@ struct Symbol {
 using Names = std::vector<std::string>;
 using NameLists = std::vector<Names>;
 
-/// What a field or a cell holds. Texts are foreign, names and the like: people see their printable form.
+/// The content of a field or a cell. Texts are foreign, names and the like: people see their printable form.
 class Value {
  public:
   using Form = std::variant<Nothing, bool, std::int64_t, Quantity, std::string, Symbol, Words, Names,
@@ -82,7 +83,7 @@ class Value {
   }
 
   [[nodiscard]] Form const& form() const { return form_; }
-  /// For people it stands at the right of its column.
+  /// Right-aligned in its column, for people.
   [[nodiscard]] bool is_number() const {
     return std::holds_alternative<Quantity>(form_) || std::holds_alternative<std::int64_t>(form_);
   }

@@ -16,7 +16,7 @@ void describe(axisrt const& runtime, uint32_t axis, axisrt_axis_state& state) {
   state.kernel = AXISRT_NO_KERNEL;
   state.reset_done = lane.reset_done() ? 1 : 0;
 
-  // What the filters gave is not stored in the cycle: it follows from their states.
+  // The filters' outputs are not stored in the cycle: they follow from their states.
   Value value{.base = state.unfiltered, .sum = 0};
   auto const put = [&](bool works) {
     state.filter_output[state.filters] = rounded(value);

@@ -18,7 +18,8 @@ inline constexpr uint32_t most_operations = 4;
 /// Cycles in a block of a linear-phase filter's history.
 inline constexpr uint32_t block_cycles = 8;
 
-/// So many lanes with a linear-phase filter are done over time, one by one; more of them side by side.
+/// Up to this many lanes with a linear-phase filter are done over time, one by one; more of them side by
+/// side.
 inline constexpr uint32_t widest_by_one = 2;
 
 enum class OperationKind : uint32_t {
@@ -60,22 +61,22 @@ struct SlotGroup {
   Kernel const* common;  ///< kernel of all lanes; null if they differ or change over
   double* to;            ///< tails of the lanes' kernels, side by side: S_j of lane l at to[-j width + l]
   double* from;          ///< of those they change over from
-  Kernel const* kernel[most_lanes];    ///< what works, or begins to
-  Kernel const* before[most_lanes];    ///< what worked before the fade
+  Kernel const* kernel[most_lanes];    ///< in use, or beginning to be
+  Kernel const* before[most_lanes];    ///< in use before the fade
   uint32_t fade_position[most_lanes];  ///< cycles of the fade that are done; fade_length when none runs
   uint32_t fade_length[most_lanes];
 };
 
 /// Where the parts of a slot are in its piece of the group's state, in units of one double per lane.
 struct SlotParts {
-  static constexpr uint32_t removed = 0;  ///< what the filter took from the signal in the latest cycle
+  static constexpr uint32_t removed = 0;  ///< taken from the signal by the filter in the latest cycle
   static constexpr uint32_t ramp = 1;     ///< C, P, G, Q
   static constexpr uint32_t ahead = 5;    ///< two halves of a block
   static constexpr uint32_t history =
       ahead + 2 * block_cycles;  ///< increments in the order of time, block by block
 };
 
-/// What changes in a cycle and is the same for all groups of a batch.
+/// State that changes in a cycle and is the same for all groups of a batch.
 struct OperationState {
   uint32_t position;  ///< in the ring of a delay, where the next signal goes
   uint32_t group;     ///< of the section that is bounded next
@@ -85,10 +86,12 @@ struct OperationState {
 /// One step of the chains of a batch.
 ///
 /// Its piece of a group's state, one double per lane each:
-///   sections  e, r + 2^-567 of each          delay  delay_cycles + 1 times base, sum, d          slot  see SlotParts
+///   sections  e, r + 2^-567 of each
+///   delay     delay_cycles + 1 times base, sum, d
+///   slot      see SlotParts
 /// Its piece of a group's constants:
-/// passing   p, g, k, b of each section        shared, blocking, delay   s, 1 - s, the rest of 1 - s, then
-/// the sections
+///   passing                  p, g, k, b of each section
+///   shared, blocking, delay  s, 1 - s, the rest of 1 - s, then the sections
 struct Operation {
   OperationKind kind;
   uint32_t section_count;  ///< of the longest lane; the others have sections in between that change nothing
@@ -107,15 +110,15 @@ struct GroupParts {
   static constexpr uint32_t operations = 4;
 };
 
-/// What calls between the cycles change for a whole batch.
+/// State that calls between the cycles change for a whole batch.
 struct BatchState {
   uint32_t never_reset;  ///< lines that were never reset
 };
 
-/// What the chains of a batch are known to be, so that a cycle needs no decisions.
+/// The known form of the chains of a batch, so that a cycle needs no decisions.
 enum class ChainKind : uint32_t {
   any,
-  sections_1,  ///< so many passing sections and nothing else
+  sections_1,  ///< this many passing sections and nothing else
   sections_2,
   sections_4,
   sections_6,

@@ -69,7 +69,7 @@ double output_of(LinePort const& port, uint32_t line) {
   return Lane(port, port.lines[line]).part(GroupParts::output);
 }
 
-/// The steady state for what the active runtime was given last.
+/// The steady state for the latest inputs of the active runtime.
 void take_over(axisrt const& active, axisrt& prepared) {
   for (uint32_t i = 0; i < prepared.axis_count; ++i) {
     if (was_reset(active.setpoint, i)) axisrt_reset(&prepared, i, input_of(active.setpoint, i));
@@ -91,7 +91,7 @@ bool any_fades(axisrt const& runtime) {
   return false;
 }
 
-/// Counts cycles in which nothing moves and both runtimes give the same.
+/// Counts cycles in which nothing moves and both runtimes have the same outputs.
 void watch_standstill(axisrt const& active, axisrt const& prepared, double const* inputs_before,
                       Change& change) {
   bool stands = true;
@@ -104,7 +104,7 @@ void watch_standstill(axisrt const& active, axisrt const& prepared, double const
   change.standstill = stands ? change.standstill + 1 : 0;
 }
 
-/// One cycle of a port with what the active runtime's port was given last.
+/// One cycle of a port with the latest inputs of the active runtime's port.
 void shadow_port(axisrt const& prepared, LinePort const& from, LinePort const& to, double* inputs) {
   for (uint32_t i = 0; i < to.port.line_count; ++i) inputs[i] = input_of(from, i);
   prepared.instructions->step(to.port, inputs, inputs, nullptr);
@@ -115,7 +115,7 @@ void shadow(axisrt& prepared) {
   Change& change = *prepared.change;
   for (uint32_t i = 0; i < prepared.axis_count; ++i) {
     change.outputs[i] = input_of(prepared.setpoint, i);
-    // An axis that was reset since: whatever the chains remember is of another position.
+    // An axis that was reset since: its chains remember another position.
     if (was_reset(active.setpoint, i) && !was_reset(prepared.setpoint, i)) {
       axisrt_reset(&prepared, i, input_of(active.setpoint, i));
     }

@@ -44,7 +44,7 @@ axisrt_filter_command with_earlier(Channel const& channel, axisrt_filter_command
   return command;
 }
 
-/// What a command makes of the slots of a channel.
+/// The effect of a command on the slots of a channel.
 struct Switching {
   uint32_t action;
   Bank const* bank;  ///< for SET and ON

@@ -1,4 +1,4 @@
-// What two images have in common, as the runtimes made from them tell: neither image is read.
+// Compares two images by the runtimes made from them: neither image is read.
 #pragma once
 
 #include "runtime/runtime_object.hpp"

@@ -1,4 +1,4 @@
-// What compilers call differently. Others than GCC and clang build the portable level only.
+// Names that differ between compilers. Compilers other than GCC and clang build the portable level only.
 #pragma once
 
 #if defined(__GNUC__)

@@ -1,4 +1,4 @@
-// What every call that takes a configuration asks of it.
+// Checks that all calls with a configuration share.
 #pragma once
 
 #include "axisrt.h"

@@ -1,6 +1,7 @@
-// The arithmetic of every call: round to nearest, no traps. Whether subnormal numbers are taken as zero does not matter in a
-// cycle, which never meets one (lanes/sections_def.hpp). A caller may have set his control word to anything and gets it back;
-// writing it takes longer than the filters of four axes, so that a cycle does so only if it must.
+// The arithmetic of every call: round to nearest, no traps. Whether subnormal numbers are taken as zero does
+// not matter in a cycle, which never meets one (lanes/sections_def.hpp). A caller may have set any control
+// word and gets it back; writing it takes longer than the filters of four axes, so that a cycle does so only
+// if it must.
 #pragma once
 
 #include "runtime/compiler.hpp"
@@ -66,7 +67,7 @@ struct ControlWord {
   static constexpr Word wanted = 0;
   static constexpr Word subnormal = Word{1} << 24U;
   static constexpr Word inexact = 0x10;
-  static constexpr Word flags = 0xF000'009F;  ///< of comparisons and exceptions
+  static constexpr Word flags = 0xF000'009F;  ///< flags of comparisons and exceptions
 };
 
 #else
@@ -84,8 +85,8 @@ struct ControlWord {
 
 #endif
 
-/// Changes the word where one of its bits, but for those that do not matter and the flags, is not the wanted one. Afterwards the
-/// caller's word comes back, with the flags of `Left` added that were raised meanwhile.
+/// Changes the word if one of its bits, apart from the flags and those that do not matter, is not the wanted
+/// one. Afterwards the caller's word is restored, with the flags of `Left` added that were raised meanwhile.
 template <ControlWord::Word Indifferent, ControlWord::Word Left>
 class Arithmetic {
  public:
@@ -110,14 +111,15 @@ class Arithmetic {
   bool changed_;
 };
 
-/// That of a cycle, where nearly every computation is inexact: that flag stays as the cycle leaves it.
+/// The control word of a cycle, where nearly every computation is inexact: that flag stays as the cycle
+/// leaves it.
 using CycleArithmetic = Arithmetic<ControlWord::subnormal, ControlWord::inexact>;
 
-/// That of all other calls, which may meet subnormal numbers.
+/// The control word of all other calls, which may meet subnormal numbers.
 using PlainArithmetic = Arithmetic<0, 0>;
 
-/// Calls `work`. A compiler knows nothing of control words and may move what it computes past a change of them, but not out of a
-/// function.
+/// Calls `work`. Compilers know nothing about control words and may move computations past a change of them,
+/// but not out of a function.
 template <class Work>
 AXISRT_APART auto apart(Work const& work) {
   return work();

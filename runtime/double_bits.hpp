@@ -69,7 +69,7 @@ inline constexpr Mask all_set = ~Mask{0};
   return keep(~mask_if_less(magnitude_bits(value), std::bit_cast<uint64_t>(limit)), value);
 }
 
-/// The nearest multiple of 2^-53 times `unit`; numbers that are large beside it stay as they are.
+/// The nearest multiple of 2^-53 times `unit`; numbers that are large compared with it are unchanged.
 [[nodiscard]] constexpr double on_grid(double value, double unit) {
   return (value + unit) - unit;
 }

@@ -30,7 +30,7 @@ namespace {
 
 #if defined(AXISRT_HAS_X86_64_LEVELS)
 
-/// Registers that the operating system saves when it changes tasks; an instruction set is of no use without.
+/// Registers that the operating system saves when it switches tasks; an instruction set is of no use without.
 uint64_t saved_registers() {
   uint32_t low = 0;
   uint32_t high = 0;
@@ -42,8 +42,8 @@ bool has_all(uint32_t word, uint32_t bits) {
   return (word & bits) == bits;
 }
 
-/// The highest level of which this processor has every feature. Single features are tested, never the processor's model:
-/// emulators and virtual machines may leave any of them out.
+/// The highest level of which this processor has every feature. Single features are tested, never the
+/// processor's model: emulators and virtual machines may lack any of them.
 uint32_t best_x86_64_level() {
   constexpr uint32_t v2_ecx = bit_SSE3 | bit_SSSE3 | bit_CMPXCHG16B | bit_SSE4_1 | bit_SSE4_2 | bit_POPCNT;
   constexpr uint32_t v3_ecx = bit_FMA | bit_MOVBE | bit_OSXSAVE | bit_AVX | bit_F16C;

@@ -18,11 +18,12 @@ struct Instructions {
   void (*run_operation)(Batch const& batch, uint32_t operation, uint32_t group, double* signal);
 };
 
-/// The level that a configuration asks for, the best one for AXISRT_LEVEL_AUTOMATIC. Null if this processor or this build
-/// does not have it.
+/// The level that a configuration asks for, the best one for AXISRT_LEVEL_AUTOMATIC. Null if this processor
+/// or this build does not have it.
 [[nodiscard]] Instructions const* find_instructions(uint32_t level);
 
-/// Lanes of the widest group at a level, also of one that this processor does not have; 0 for an unknown level.
+/// Lanes of the widest group at a level, also of one that this processor does not have; 0 for an unknown
+/// level.
 [[nodiscard]] uint32_t lanes_of_level(uint32_t level);
 
 }  // namespace axisc::runtime

@@ -6,7 +6,7 @@
 namespace axisc::runtime {
 namespace {
 
-/// base' = (1 - s) base, sum' = s e + (1 - s) sum, without losing what rounding the product takes.
+/// base' = (1 - s) base, sum' = s e + (1 - s) sum, without losing the product's rounding error.
 Value join_blocking(Lane const& lane, Filter const& filter, Value const& in, double e) {
   double const share = lane.share(filter, 0);
   double const direct = lane.share(filter, 1);

@@ -82,8 +82,8 @@ class Lane {
   return slot.group->fade_position[slot.lane] < slot.group->fade_length[slot.lane];
 }
 
-/// True where switching kernels cannot be seen in the output: as many cycles as the slot's longest kernel remembers had no
-/// increment to speak of. Cost: that many cycles.
+/// True where switching kernels cannot be seen in the output: no increment to speak of for as many cycles as
+/// the slot's longest kernel remembers. Cost: that many cycles.
 [[nodiscard]] bool is_at_rest(Slot const& slot);
 
 /// The steady state of line `index` for a signal that has always been `position`.
@@ -92,8 +92,8 @@ void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, dou
 /// The steady state for any constant signal; a fade has ended.
 void reset_slot(Slot const& slot);
 
-/// Begins to work with `kernel`; without a fade where `fade_cycles` is 0. Expects that none runs. Cost: the tails of a
-/// slot's longest kernel.
+/// Begins to work with `kernel`; without a fade where `fade_cycles` is 0. Expects that none runs. Cost: the
+/// tails of a slot's longest kernel.
 void switch_slot(Slot const& slot, Kernel const* kernel, uint32_t fade_cycles);
 
 /// Puts the tails of a lane's kernels, the one that works and the one before, where they are applied from.
@@ -102,10 +102,10 @@ void write_tails_of_lane(SlotGroup& group, uint32_t lane, uint32_t width);
 /// Chooses how a group works whose lanes are all in the steady state.
 void start_at_rest(SlotGroup& group, uint32_t width);
 
-/// What comes out of a filter for a signal that has always been `in`. Does not touch the states.
+/// The output of a filter for a signal that has always been `in`. Does not touch the states.
 [[nodiscard]] Value steady_output(Lane const& lane, Filter const& filter, Value const& in);
 
-/// What came out of a filter in the latest cycle, if `in` went in.
+/// The output of a filter in the latest cycle, if its input was `in`.
 [[nodiscard]] Value latest_output(Lane const& lane, Filter const& filter, Value const& in);
 
 }  // namespace axisc::runtime

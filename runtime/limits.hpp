@@ -13,14 +13,15 @@ inline constexpr double largest_numerator = 64;
 /// |S| of a kernel.
 inline constexpr double largest_tail = 64;
 
-/// The largest increment that is rest where a switch needs standstill, just below a nanometre's millionth part.
+/// The largest increment that counts as rest where a switch needs standstill, just below a millionth of a
+/// nanometre.
 inline constexpr double largest_increment_at_rest = 0x1.fffffffffffffp-31;
 
 /// Factor from additive velocity to drive increments, and additive velocity itself.
 inline constexpr double largest_scale = 0x1p100;
 inline constexpr double largest_weight = 7;
 
-// What makes subnormal numbers impossible in a cycle; why it does, stands in lanes/sections_def.hpp.
+// Limits that make subnormal numbers impossible in a cycle; lanes/sections_def.hpp explains why.
 
 /// Positions and velocities below this are zero.
 inline constexpr double smallest_position = 0x1p-500;
@@ -33,16 +34,16 @@ inline constexpr double smallest_coefficient = 0x1p-62;
 inline constexpr double smallest_tail = 0x1p-128;
 inline constexpr double smallest_rest = 0x1p-108;
 
-/// Added and taken away again it leaves a multiple of 2^-620, and from 2^-513 on every number as it is.
+/// Added and taken away again it leaves a multiple of 2^-620, and every number from 2^-513 on unchanged.
 inline constexpr double grid = 0x1p-567;
 
 /// r of a section is stored as r + grid: taking that away again costs one operation only.
 inline constexpr double r_at_rest = grid;
 
-/// The same for multiples of 2^-908.
+/// Likewise for multiples of 2^-908.
 inline constexpr double fine_grid = 0x1p-855;
 
-/// The states of a section are together at most this large, and zero instead of smaller than this.
+/// The states of a section together are at most this large, and zero if smaller than this.
 inline constexpr double largest_state = 0x1p200;
 inline constexpr double smallest_state = 0x1p-500;
 

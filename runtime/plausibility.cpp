@@ -26,7 +26,7 @@ class KernelGains {
   double largest_[axim_most_tails + 1];  ///< of those with as many tails, then of those with at most as many
 };
 
-/// P of the chain with whichever kernel it works. The image states that of the chain as it starts.
+/// P of the chain with whichever kernel. The image states that of the chain as it starts.
 double peak_gain(ImageView const& view, axisrt const& runtime, KernelGains const& gains, uint32_t axis) {
   double const at_start = view.axes[axis][field::axis::peak_gain];
   LineChain const& line = runtime.setpoint.lines[axis];
@@ -41,8 +41,8 @@ double peak_gain(ImageView const& view, axisrt const& runtime, KernelGains const
 
 }  // namespace
 
-/// (P + 1/4) v: with setpoints within v no output moves farther, a quarter of v is left to fades. On the grid, as all that a
-/// recording holds.
+/// (P + 1/4) v: with setpoints within v no output moves farther, a quarter of v is left to fades. On the
+/// grid, like everything in a recording.
 void limit_increments(ImageView const& view, axisrt const& runtime) {
   KernelGains const gains(view);
   for (uint32_t axis = 0; axis < runtime.axis_count; ++axis) {

@@ -1,6 +1,6 @@
-// The ring of a recorder: what every call was given and gave, and a second runtime that has executed what
-// fell out of the ring. So the recording always begins with a known state, no cycle copies one, and each
-// costs the same: its own entry, and another cycle of the runtime that lags behind.
+// The ring of a recorder: inputs and outputs of every call, and a second runtime that has executed what fell
+// out of the ring. So the recording always begins with a known state, no cycle copies one, and each costs the
+// same: its own entry, and another cycle of the runtime that lags behind.
 #pragma once
 
 #include "axisrt.h"
@@ -11,8 +11,8 @@
 
 namespace axisc::runtime {
 
-/// Words of a cycle's entry at each port; 0 for ports that nothing is recorded of, because the image has no
-/// filters there.
+/// Words of a cycle's entry at each port; 0 for ports that are not recorded, because the image has no filters
+/// there.
 struct EntrySizes {
   uint64_t step, step_interface, step_velocity;
 };
@@ -35,7 +35,7 @@ struct axisrt_recorder {
 
 namespace axisc::runtime {
 
-/// What an entry says of itself.
+/// The head of an entry.
 struct EntryHead {
   uint32_t kind;
   uint32_t flags;
@@ -45,8 +45,8 @@ struct EntryHead {
 [[nodiscard]] uint64_t packed(EntryHead const& head);
 [[nodiscard]] EntryHead unpacked(uint64_t word);
 
-/// Writes one entry: what the call is given before it works, since it may write over it, and then what it
-/// gives. Does nothing without a recorder.
+/// Writes one entry: the inputs of the call before it works, since it may overwrite them, and then its
+/// outputs. Does nothing without a recorder.
 class Entry {
  public:
   Entry(axisrt_recorder* recorder, uint32_t kind, uint32_t index, uint64_t words);
@@ -67,7 +67,7 @@ class Entry {
 void record_call(axisrt const& runtime, EntryHead const& head, double const* values, uint32_t count);
 
 /// Executes entry `head` on a runtime; `values` are its words after the head, and the runtime's outputs are
-/// written over those that it gave.
+/// written over the recorded ones.
 axisrt_status execute(axisrt& runtime, EntryHead const& head, double* values);
 
 }  // namespace axisc::runtime

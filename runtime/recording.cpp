@@ -1,4 +1,4 @@
-// Starting a recorder, and writing what it holds.
+// Starts recorders, and writes their recordings.
 #include "runtime/recording.hpp"
 
 #include "axisrt.h"
@@ -44,7 +44,7 @@ uint32_t header_checksum(uint8_t const* dump) {
 
 namespace {
 
-/// For commands and resets besides the cycles.
+/// For commands and resets in addition to the cycles.
 constexpr uint64_t spare_words = 256;
 
 constexpr uint64_t aligned(uint64_t bytes) {
@@ -133,7 +133,7 @@ void write_dump(axisrt_recorder const& recorder, uint64_t state_words, uint8_t* 
   store_word(to, content | uint64_t{header} << 32U);
 }
 
-/// Checksums guard against a mistake; the counts, with those that a walk compares, against images that were
+/// Checksums guard against mistakes; the counts, with those that a walk compares, against images that were
 /// made to have the same ones.
 bool same_image(axisrt const& a, axisrt const& b) {
   return a.payload_checksum == b.payload_checksum && a.header_checksum == b.header_checksum &&

@@ -1,4 +1,4 @@
-// What writing and reading a recording have in common (format/recording_format.h).
+// Parts that writing and reading a recording share (format/recording_format.h).
 #pragma once
 
 #include "runtime/format/recording_format.h"
@@ -13,12 +13,12 @@ inline constexpr uint64_t header_size = axrd_header_words * word_size;
 inline constexpr uint64_t content_checksum_place = 6 * word_size;
 inline constexpr uint64_t header_checksum_place = content_checksum_place + 4;
 
-/// Of everything after the header.
+/// Checksum of everything after the header.
 [[nodiscard]] uint32_t content_checksum(uint8_t const* dump, uint64_t size);
-/// Of the header, with its own place as zero.
+/// Checksum of the header, with its own place as zero.
 [[nodiscard]] uint32_t header_checksum(uint8_t const* dump);
 
-/// As many as a recording has before its entries.
+/// Words of the state in a recording.
 [[nodiscard]] uint64_t count_state_words(axisrt const& runtime);
 
 /// Doubles of all groups of a batch.

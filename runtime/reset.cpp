@@ -22,7 +22,7 @@ void reset_filter(Lane const& lane, Filter const& filter, Value const& in) {
   }
 }
 
-/// A call between the cycles, which is going to be done.
+/// A call between the cycles, recorded before it is executed.
 template <uint32_t Count>
 void record_values(axisrt const& runtime, uint32_t kind, uint32_t axis, double const (&values)[Count]) {
   record_call(runtime, {.kind = kind, .flags = 0, .status = AXISRT_OK, .index = axis}, values, Count);
@@ -50,7 +50,8 @@ void shift_ring(Lane const& lane, Filter const& filter, Value const& shift) {
   }
 }
 
-/// States of sections and slots hold increments only: what moves with the origin are setpoints and delayed signals.
+/// States of sections and slots hold increments only: only setpoints and delayed signals move with the
+/// origin.
 void rebase_line(axisrt const& runtime, LineChain const& line, Lane const& lane, double offset) {
   double const taken = unless_below(smallest_position, offset);
   Value shift{.base = taken, .sum = 0};

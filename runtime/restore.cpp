@@ -1,4 +1,4 @@
-// Going back to where a recording begins.
+// Restores the state with which a recording begins.
 #include "axisrt.h"
 #include "runtime/configuration.hpp"
 #include "runtime/control_word.hpp"
@@ -12,10 +12,11 @@
 namespace axisc::runtime {
 namespace {
 
-/// What no sound filter leaves behind; from here on states are bounded before anything could overflow.
+/// Larger than the states of any sound filter; from here on states are bounded before anything could
+/// overflow.
 constexpr double largest_restored = 0x1p256;
 
-/// Reads states into a runtime that was created just now, and refuses what no cycle leaves behind.
+/// Reads states into a new runtime, and refuses those that no cycle can leave.
 class Reader {
  public:
   explicit Reader(uint8_t const* from) : from_(from) {}
@@ -63,7 +64,7 @@ class Reader {
     }
   }
 
-  /// Outputs, e of sections, and what kernels have summed up ahead.
+  /// Outputs, e of sections, and the sums that kernels have prepared ahead.
   static bool is_fine(Batch const& batch, uint32_t row) {
     if (row < GroupParts::operations) return true;
     uint32_t last = 0;

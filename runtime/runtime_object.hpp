@@ -1,5 +1,5 @@
-// What the handle points to in the caller's memory. Everything that is fixed after create is kept apart
-// from what changes in a cycle.
+// The object that the handle points to, in the caller's memory. Everything that is fixed after create is kept
+// apart from what changes in a cycle.
 #pragma once
 
 #include "axisrt.h"
@@ -106,7 +106,7 @@ struct Control {
   uint32_t first_stage;
   uint32_t stage_count;
   uint32_t axis;
-  uint32_t source;  ///< index of the control whose additive velocity it gives out: its own, or the master's
+  uint32_t source;  ///< index of the control whose additive velocity it outputs: its own, or the master's
   double limit;
   double scale;
 };
@@ -118,18 +118,18 @@ struct StageSignals {
   uint8_t* status;
 };
 
-/// From the image before to this one.
+/// The change from the previous image to this one.
 struct Change {
   axisrt* predecessor;     ///< the runtime before, until the change is done
   uint32_t begun;          ///< 1: this runtime is the one that is stepped
   uint32_t cycles;         ///< in which it ran along with its predecessor
   uint32_t standstill;     ///< cycles without a motion or a difference, lately
-  uint32_t warm_up;        ///< cycles after which it gives what it would give if it had always run
+  uint32_t warm_up;        ///< cycles after which its outputs are as if it had always run
   uint32_t length;         ///< cycles of the fade; 0: at standstill only
   uint32_t position;       ///< cycles of it that are done
   uint32_t same_controls;  ///< 1: Improved Position Control is the same in both images
   uint32_t reserved;
-  double* shadow;   ///< what the predecessor was given or gave; as many as axes or stages
+  double* shadow;   ///< inputs or outputs of the predecessor; as many as axes or stages
   double* outputs;  ///< of all axes in the latest cycle of a change
 };
 

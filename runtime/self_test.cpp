@@ -166,7 +166,8 @@ bool can_execute(Slot const* slot, Kernel const& kernel) {
   return slot != nullptr && slot->group->block_count >= kernel.block_count;
 }
 
-/// The kernels, each on the first slot whose group has a history that is long enough; none where no slot executes it.
+/// The kernels, each on the first slot whose group has a history that is long enough; none where no slot
+/// executes it.
 bool test_kernels(ImageView const& view, axisrt const& runtime) {
   for (uint32_t i = 0; i < view.kernels.count; ++i) {
     Samples const samples(view, view.kernels[i][field::kernel::first_sample],

@@ -1,6 +1,6 @@
 // Everything that cycles, commands and resets change in a runtime, number by number in one order, so that it
-// can be copied, written and read. What follows from it (tails side by side) and what the next cycle
-// overwrites is left out.
+// can be copied, written and read. Derived values (tails side by side) and those that the next cycle
+// overwrites are left out.
 #pragma once
 
 #include "runtime/lane.hpp"

@@ -32,8 +32,9 @@ AXISRT_APART axisrt_status execute_in_own_arithmetic(axisrt const& runtime, Port
   });
 }
 
-/// Filters alone raise no flag but the one that stays: bad setpoints are sorted out as integers, no number is subnormal, and none gets
-/// too large (lanes/sections_def.hpp). So the control word needs to be read only once.
+/// Filters alone raise no flag but the one that stays: bad setpoints are sorted out as integers, no number is
+/// subnormal, and none gets too large (lanes/sections_def.hpp). So the control word needs to be read only
+/// once.
 AXISRT_INLINE axisrt_status execute(axisrt const& runtime, Port const& port, Call call) {
   if (!CycleArithmetic::is_in_force()) return execute_in_own_arithmetic(runtime, port, call);
   return static_cast<axisrt_status>(runtime.instructions->step(port, call.in, call.out, call.status));

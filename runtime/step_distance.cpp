@@ -8,7 +8,7 @@ namespace {
 
 constexpr uint32_t longest = 1U << 21U;
 constexpr double settled = 0x1p-20;
-/// What rest the states may hold when the computation ends: it adds next to nothing to the sums.
+/// The rest that states may hold when the computation ends: it adds next to nothing to the sums.
 constexpr double rest = 0x1p-40;
 
 constexpr uint32_t most_chain_sections = axim_most_filters * axim_most_sections;
@@ -73,8 +73,8 @@ Step kernel_step(Kernel const& kernel, uint32_t n) {
   return {.value = 1 - tail, .increment = before - tail};
 }
 
-/// Calls `visit(s[n], h[n])` with the step and the impulse response of a kernel and a line's filters, for n = 0, 1, ... until they
-/// have settled. False if they do not.
+/// Calls `visit(s[n], h[n])` with the step and the impulse response of a kernel and a line's filters, for n =
+/// 0, 1, ... until they have settled. False if they do not.
 template <class Visit>
 bool respond(axisrt const& runtime, Lane const& lane, LineChain const& line, Kernel const& kernel,
              Visit visit) {
@@ -162,8 +162,8 @@ double larger(double a, double b) {
   return a > b ? a : b;
 }
 
-/// The largest  |r[n] - max(0, n - D)|  of the answer r to a ramp of one unit per cycle; between two cycles r is a straight line,
-/// so that only the ramp's own bend at D stands besides them.
+/// The largest  |r[n] - max(0, n - D)|  of the answer r to a ramp of one unit per cycle; between two cycles r
+/// is a straight line, so that apart from the cycles only the ramp's own bend at D matters.
 class RampError {
  public:
   explicit RampError(double delay) : delay_(delay) {}

@@ -1,4 +1,4 @@
-// How far a chain takes a setpoint from itself, from its stored coefficients.
+// How far a chain moves a setpoint, computed from its stored coefficients.
 #pragma once
 
 #include "runtime/runtime_object.hpp"
@@ -7,12 +7,12 @@
 
 namespace axisc::runtime {
 
-/// Of the chain of a line, whichever kernel its slot works with. With the step response s,
+/// Bounds for the chain of a line, with whichever kernel its slot works. With the step response s,
 ///     |y - x| <= sum of |s - 1| times the largest increment.
 struct StepDistance {
-  bool
-      is_bounded;  ///< false for a chain that does not pass the constant part unchanged, or that does not settle
-  double sum;      ///< of |s[n] - 1|
+  /// False for a chain that does not pass the constant part unchanged, or that does not settle.
+  bool is_bounded;
+  double sum;         ///< of |s[n] - 1|
   double peak_gain;   ///< sum of |h[n]|
   uint32_t settling;  ///< cycles after which |s - 1| stays below 2^-20
 };
@@ -20,8 +20,9 @@ struct StepDistance {
 /// Computes the step response: at most 2^21 cycles. Not in the cycle.
 [[nodiscard]] StepDistance step_distance(axisrt const& runtime, LinePort const& port, uint32_t index);
 
-/// The largest distance in cycles between the chain's answer to a ramp of one unit per cycle and the ramp itself, later by the
-/// group delay at 0 Hz. False for a chain that does not follow a ramp. Computes the step response twice.
+/// The largest distance in cycles between the chain's answer to a ramp of one unit per cycle and the ramp
+/// itself, later by the group delay at 0 Hz. False for a chain that does not follow a ramp. Computes the step
+/// response twice.
 [[nodiscard]] bool corner_error(axisrt const& runtime, LinePort const& port, uint32_t index, double& cycles);
 
 }  // namespace axisc::runtime

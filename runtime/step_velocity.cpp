@@ -64,7 +64,7 @@ double blended(Change const& change, uint32_t control, double v) {
   return change.shadow[control] + weight_of(change) * (v - change.shadow[control]);
 }
 
-/// What a call gives, one entry for each axis; increments and statuses may be null.
+/// The outputs of a call, one entry for each axis; increments and statuses may be null.
 struct Outputs {
   double* v_add;
   double* increments;

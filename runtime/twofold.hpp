@@ -1,4 +1,4 @@
-// Sums and products of doubles without loss: the rounded result, and what rounding took away. Without fused
+// Sums and products of doubles without loss: the rounded result, and its rounding error. Without fused
 // multiply-add; both hold for round to nearest and results far from overflow (T. J. Dekker, 1971; D. E.
 // Knuth).
 #pragma once

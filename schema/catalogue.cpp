@@ -27,7 +27,7 @@ namespace axisc::schema {
 namespace {
 
 /// The parameter of a slot number. Eight bytes, and lists name their parameters more or less in the order of
-/// the catalogue, so what look-ups need is contiguous. A longer name does not compile: the tables are written
+/// the catalogue, so look-ups read contiguous memory. A longer name does not compile: the tables are written
 /// with braces, which narrow nothing.
 struct SlotRow {
   std::uint32_t name_begin : 24;  ///< in name_bytes

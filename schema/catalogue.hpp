@@ -1,9 +1,10 @@
-// The catalogues of all parameters: what exists, of which type, in which range.
+// The catalogues of all parameters: which ones there are, of which type, in which range.
 //
-// The facts about axis lists are in axis-parameters.json; a generator turns them at build time into constant tables with
-// a perfect hash over all concrete names, so that nothing is parsed or allocated when the program starts. Schema files of
-// the user add to them or replace them. The facts about the other kinds of lists are in other-lists.json; they become
-// tables too, whose names are looked up in a map that is made when the first list of that kind is read: class Catalogue.
+// The facts about axis lists are in axis-parameters.json; a generator turns them at build time into constant
+// tables with a perfect hash over all concrete names, so that nothing is parsed or allocated when the program
+// starts. Schema files of the user add to them or replace them. The facts about the other kinds of lists are
+// in other-lists.json; they become tables too, whose names are looked up in a map that is made when the first
+// list of that kind is read: class Catalogue.
 #pragma once
 
 #include "schema/data_type.hpp"
@@ -31,7 +32,7 @@ struct Symbol {
 enum class ParameterId : std::uint16_t {};
 /// One concrete parameter: a row with its indices, `filter[2].order`. Dense from 0 to slot_count() - 1.
 enum class Slot : std::uint32_t {};
-/// Of a concrete parameter, in the order of the brackets; zeros where there are fewer.
+/// The indices of a concrete parameter, in the order of the brackets; zeros where there are fewer.
 using Indices = std::array<std::uint32_t, 3>;
 /// Entries per index, 0 for a missing index.
 using ArraySizes = std::array<std::uint16_t, 3>;
@@ -44,7 +45,7 @@ struct Limit {
   bool open = false;  ///< the limit itself is not allowed
 };
 
-/// What judging a value needs comes first, in one cache line.
+/// The fields that judge a value come first, in one cache line.
 struct alignas(64) Parameter {
   Limit minimum;
   Limit maximum;
@@ -65,12 +66,12 @@ struct alignas(64) Parameter {
       unit_translatory;          ///< unit of the raw number ("0.1 um", "us", "Hz"); empty where it has none
   std::string_view unit_rotary;  ///< the same for rotary axes and spindles
   std::span<Symbol const>
-      number_names;             ///< what numbers mean, for messages ("SERCOS"); a list cannot write these
+      number_names;             ///< meanings of numbers, for messages ("SERCOS"); a list cannot write these
   std::string_view axis_types;  ///< "TR" where the parameter is not for every type; empty means all
   std::string_view
       former_name;         ///< name without brackets that the vendor once used; empty where there is none
   std::string_view since;  ///< build that introduced it; empty where it is as old as the catalogue
-  /// What default_text says, where it is a decimal number and was read already; else not a number.
+  /// The number in default_text, if it is a decimal number and was read already; otherwise not a number.
   double default_number = std::numeric_limits<double>::quiet_NaN();
 
   [[nodiscard]] std::size_t index_count() const {
@@ -86,13 +87,13 @@ struct alignas(64) Parameter {
   return parameter.minimum.kind == Limit::Kind::parameter || parameter.maximum.kind == Limit::Kind::parameter;
 }
 
-/// The table of what its numbers mean replaces a range.
+/// The table of its numbers' meanings replaces a range.
 [[nodiscard]] constexpr bool is_listed_only(Parameter const& parameter) {
   return !parameter.number_names.empty() && parameter.minimum.kind == Limit::Kind::none &&
          parameter.maximum.kind == Limit::Kind::none;
 }
 
-/// All slots of a row; gives the place after them.
+/// All slots of a row; returns the place after them.
 template <typename Output>
 constexpr Output write_slots(Parameter const& parameter, Output out) {
   for (std::uint32_t i = 0; i < parameter.slots; ++i) {
@@ -113,12 +114,12 @@ constexpr Output write_slots(Parameter const& parameter, Output out) {
 [[nodiscard]] Slot slot_of(Parameter const& parameter, std::uint32_t first_index = 0,
                            std::uint32_t second_index = 0);
 
-/// What a name in a list means.
+/// The meaning of a name in a list.
 struct NameLookup {
   enum class Status : std::uint8_t {
     found,
     unknown,             ///< no such parameter
-    index_out_of_range,  ///< `index_position` says which index, `array_size` how many entries there are
+    index_out_of_range,  ///< at `index_position`; `array_size` is the number of entries
     index_missing,       ///< array parameter without (all of) its indices
     index_superfluous,   ///< index on a scalar
   };
@@ -133,10 +134,10 @@ struct NameLookup {
   std::uint16_t array_size = 0;  ///< of that index; 0 where it is superfluous
 };
 
-/// Cost: one hash and one comparison for a name as it should be; more only for names that miss.
-/// `name` is syntactically right: identifiers joined by dots, each with at most one index.
+/// Cost: one hash and one comparison for a correct name; more only for names that miss. `name` is
+/// syntactically right: identifiers joined by dots, each with at most one index.
 [[nodiscard]] NameLookup find(std::string_view name);
-/// Like find(), without folding the case.
+/// find() without case folding.
 [[nodiscard]] NameLookup find_as_written(std::string_view name);
 
 /// All rows with that number (several names may share one); empty when there is none.
@@ -149,11 +150,11 @@ struct NameLookup {
 /// Slot of a row with these indices; the indices are in range.
 [[nodiscard]] Slot slot_of(ParameterId id, std::uint32_t first_index = 0, std::uint32_t second_index = 0);
 
-/// True for a word that some enumeration knows (LOWPASS, TRUE).
+/// True for a word of any enumeration (LOWPASS, TRUE).
 [[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word);
 
-/// What an unknown name may have meant: names in its own family, and names that differ from it by one slip of the pen,
-/// one missing part, or two words that are swapped. Indices are kept.
+/// Possible meanings of an unknown name: names in its own family, and names that differ from it by one slip
+/// of the pen, one missing part, or two words that are swapped. Indices are kept.
 struct NameSuggestions {
   std::vector<std::string> names;  ///< best first, at most three
   bool is_close = false;           ///< the best one differs by one slip
@@ -172,18 +173,19 @@ struct ConcreteParameter {
 
   explicit operator bool() const { return row != nullptr; }
 };
-/// Of a name exactly as the catalogue spells it; no row for any other. Cost: one hash and one comparison.
+/// The row of a name exactly as the catalogue spells it; no row for any other. Cost: one hash and one
+/// comparison.
 [[nodiscard]] ConcreteParameter find_exact(std::string_view name);
 
 struct PlainValues;
-/// A concrete parameter and those of its values that are beyond doubt; null for a name that is not a
-/// parameter's.
+/// A concrete parameter and those of its values that are beyond doubt; null for a name that does not belong
+/// to a parameter.
 struct PlainParameter {
   PlainValues const* values = nullptr;
   Slot slot{};
 };
-/// The same as find_exact() of up to names_at_once names, in less time than one after the other; `found` has
-/// room for as many. What a name looks like need not be known.
+/// find_exact() for up to names_at_once names, in less time than one after the other; `found` has room for as
+/// many. The names may have any form.
 inline constexpr std::size_t names_at_once = 32;
 void find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found);
 
@@ -193,16 +195,17 @@ void find_plain(std::span<std::string_view const> names, std::span<PlainParamete
 class OwnTables;
 struct ParameterRow;
 
-/// The catalogue that a check works with: the built-in one of axis parameters, which the functions above look into, that
-/// with the rows of schema files, or that of another kind of list. Copies share one; rows live as long as any of them.
+/// The catalogue that a check works with: the built-in one of axis parameters, which the functions above look
+/// into, that with the rows of schema files, or that of another kind of list. Copies share one; rows live as
+/// long as any of them.
 class Catalogue {
  public:
-  /// The built-in one. Cost: none.
+  /// The built-in catalogue. Cost: none.
   Catalogue() = default;
-  /// That of a kind of list. Cost: none; its first look-up takes the names apart, once in a process.
+  /// The catalogue of a kind of list. Cost: none; its first look-up takes the names apart, once in a process.
   [[nodiscard]] static Catalogue of(ListKind kind);
-  /// This one with `rows`, of which each replaces the row of its name. Their array sizes sum up to less than
-  /// most_slots; limits and defaults name numbers that are there. This one is of axis parameters.
+  /// This catalogue with `rows`, each of which replaces the row of its name. Their array sizes sum up to less
+  /// than most_slots; limits and defaults name existing numbers. This catalogue is of axis parameters.
   [[nodiscard]] Catalogue with(std::vector<ParameterRow> rows) const;
 
   [[nodiscard]] std::span<Parameter const> parameters() const;
@@ -213,11 +216,10 @@ class Catalogue {
   [[nodiscard]] std::size_t slot_count() const;
   /// Cost: as of the function; with schema files that of an ordered map in addition.
   [[nodiscard]] NameLookup find(std::string_view name) const;
-  /// With schema files also names whose indices are written otherwise, at the cost of find(). `name` is
+  /// With schema files, also finds names with their indices in other places, at the cost of find(). `name` is
   /// syntactically right.
   [[nodiscard]] ConcreteParameter find_exact(std::string_view name) const;
-  /// Up to names_at_once of them, of which nothing is known; only those whose indices are written as the
-  /// catalogue does.
+  /// Up to names_at_once names of any form; finds only those whose indices are written as in the catalogue.
   void find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found) const;
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
   [[nodiscard]] std::span<Slot const> slots_limited_by_others() const;
@@ -225,7 +227,7 @@ class Catalogue {
   [[nodiscard]] NameSuggestions suggest_names(std::string_view name) const;
 
   [[nodiscard]] ListKind kind() const;
-  /// That of axis parameters without schema files.
+  /// The catalogue of axis parameters without schema files.
   [[nodiscard]] bool is_built_in() const { return own_ == nullptr; }
   /// The schema file that a row comes from; empty where it was built in.
   [[nodiscard]] std::string_view file_of(Parameter const& parameter) const;
@@ -234,7 +236,7 @@ class Catalogue {
   std::shared_ptr<OwnTables const> own_;  ///< none: built in
 };
 
-/// Of axis parameters: 16 bits count them.
+/// The most slots of axis parameters: 16 bits count them.
 inline constexpr std::size_t most_slots = 65535;
 
 }  // namespace axisc::schema

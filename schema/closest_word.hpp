@@ -6,8 +6,8 @@
 
 namespace axisc::schema {
 
-/// The word that `written` most likely was meant to be: within tolerable_distance(), letter case aside, and not changed in
-/// every letter. Empty where none is near. The first of equally near words wins.
+/// The word that `written` most likely was meant to be: within tolerable_distance(), letter case aside, and
+/// not changed in every letter. Empty where none is near. The first of equally near words wins.
 [[nodiscard]] std::string_view closest_word(std::string_view written,
                                             std::span<std::string_view const> words);
 

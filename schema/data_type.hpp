@@ -1,4 +1,4 @@
-// The data types of axis parameters, a row each: their names and which numbers they hold. And the numbers of parameters.
+// The data types of axis parameters, a row each: their names and ranges. And the numbers of parameters.
 #pragma once
 
 #include "schema/list_kind.hpp"
@@ -40,7 +40,7 @@ inline constexpr IntegerRange range_of_integer{.lowest = std::numeric_limits<Int
 struct DataTypeRow {
   DataType type;
   std::string_view name;
-  IntegerRange integers;  ///< of reals and strings, which have no such range, what 64 bits hold
+  IntegerRange integers;  ///< for reals and strings, which have no such range, that of 64 bits
 };
 
 inline constexpr std::array data_types{
@@ -94,8 +94,8 @@ struct DataRange {
   double lowest = 0;
   double highest = 0;
 };
-/// Of a number type: what MIN(UNS32) and MAX(UNS32) mean. Exact but for the 64-bit integers, whose limits are rounded to
-/// double.
+/// The range of a number type, as MIN(UNS32) and MAX(UNS32) name it. Exact but for the 64-bit integers, whose
+/// limits are rounded to double.
 [[nodiscard]] constexpr DataRange data_range(DataType type) {
   using Real = std::numeric_limits<double>;
   if (type == DataType::real64) return {.lowest = Real::lowest(), .highest = Real::max()};

@@ -50,7 +50,7 @@ void drop_common_ends(std::string_view& a, std::string_view& b) {
 constexpr std::size_t word_bits = 64;
 
 /// A column of the table as bits, one for each letter of `a`, which has at most 64: Myers' algorithm in the
-/// form of Hyyrö (2003), which knows swaps. `rise` and `fall` say where the column goes up and down by one,
+/// form of Hyyrö (2003), which knows swaps. `rise` and `fall` mark where the column goes up and down by one,
 /// `diagonal` where it repeats the value up and left of it.
 std::size_t distance_in_words(std::string_view a, std::string_view b, std::size_t limit) {
   // Most words are short compared with the alphabet: only the letters that occur get a place.
@@ -97,7 +97,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
   if (a.size() <= word_bits) return std::min(distance_in_words(a, b, limit), beyond);
 
   // The usual table, of which three rows are kept. Only cells within `limit` of the diagonal can count; the
-  // cells beside that band hold a value that is never the smallest.
+  // cells outside that band hold a value that is never the smallest.
   constexpr std::size_t infinite = 4 * longest_compared;
   std::array<std::array<std::size_t, longest_compared + 2>, 3>
       rows;  // NOLINT(cppcoreguidelines-pro-type-member-init)

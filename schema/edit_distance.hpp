@@ -10,9 +10,10 @@ namespace axisc::schema {
 /// Longer words are equal or too far apart.
 inline constexpr std::size_t longest_compared = 128;
 
-/// Optimal string alignment distance: insertions, deletions, replacements and swaps of neighbours, none of them twice at
-/// one place. Distances above `limit` are all reported as limit + 1. Cost: the length of the longer word, without
-/// what both have in common at their ends; times limit where more than 64 letters of the shorter one are left.
+/// Optimal string alignment distance: insertions, deletions, replacements and swaps of neighbours, none of
+/// them twice at one place. Distances above `limit` are all reported as limit + 1. Cost: the length of the
+/// longer word, without the common beginning and end; times limit where more than 64 letters of the shorter
+/// one are left.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
 
 /// How many mistakes still look like a slip of the pen in a word of this length: a third of it, from 1 to 4.

@@ -1,4 +1,4 @@
-// Which letters a text has: what rules out quickly that two texts are a few slips apart.
+// The letters of a text: they quickly rule out that two texts are a few slips apart.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace axisc::schema {
 
-/// Which letters a text has, and which at least twice: one bit each. Letters that share a bit make it less
-/// telling, not wrong.
+/// The letters that a text has, and those that it has at least twice: one bit each. Letters that share a bit
+/// make it less telling, not wrong.
 using Letters = std::uint64_t;
 
 /// True if no edit_distance() of texts with these letters is within `limit`: a slip adds or takes away one
@@ -30,7 +30,7 @@ using Letters = std::uint64_t;
   return (a & ~b) == 0 || (b & ~a) == 0;
 }
 
-/// Which letters a text has an odd number of times: less telling than Letters, but small enough to be
+/// The letters that a text has an odd number of times: less telling than Letters, but small enough to be
 /// compared many at once.
 using OddLetters = std::uint16_t;
 

@@ -12,7 +12,7 @@
 namespace axisc::schema {
 namespace {
 
-/// Of a word: fewer letters begin too many words.
+/// Letters of a word: fewer begin too many words.
 constexpr std::size_t shortest_beginning = 3;
 
 using Parts = std::vector<std::string_view>;
@@ -66,7 +66,7 @@ class Search {
     });
   }
 
-  /// Of names with the same last part.
+  /// Finds missing parts in names with the same last part.
   void find_whole_parts() {
     auto const last = find_text(given_.back(), vocabulary_.parts, vocabulary_.places_of_parts);
     if (!last) return;

@@ -14,7 +14,7 @@
 
 namespace axisc::schema {
 
-/// What was probably typed wrong, the likeliest first: the costs of a candidate.
+/// The typing mistake, the likeliest first: the costs of a candidate.
 enum class Slip : std::uint8_t {
   former_name = 0,   ///< the vendor once used this name
   one_letter = 1,    ///< one slip of the pen, in one part or between two
@@ -31,8 +31,8 @@ struct Candidate {
   std::size_t text_distance = 0;  ///< between the names as a whole
 };
 
-/// Those that differ from `name` by one slip, in no order; none that are much less likely than the best. The last two
-/// slips are looked for in the family of `name` alone. `bare` is `name` without indices.
+/// Names that differ from `name` by one slip, in no order; none that are much less likely than the best. The
+/// last two slips are looked for in the family of `name` alone. `bare` is `name` without indices.
 [[nodiscard]] std::vector<Candidate> candidates_for(Vocabulary const& vocabulary, IndexedName const& name,
                                                     std::string_view bare);
 

@@ -10,12 +10,14 @@
 
 namespace axisc::schema {
 
-/// The first and the last 24 bytes of a name, which may overlap, and of the few names that are longer what is between: how
-/// many bytes a name has differs from line to line, so a loop over all of them would end where no processor expects it. The
-/// bytes are combined by value, so every host computes the same hash. (Inline, with its constants, in the loop over names.)
+/// The first and the last 24 bytes of a name, which may overlap, and the middle of the few names that are
+/// longer: the length of names differs from line to line, so processors would mispredict the end of a loop
+/// over all bytes. The bytes are combined by value, so every host computes the same hash. (Inline, with its
+/// constants, in the loop over names.)
 ///
-/// Where one word is among the first and among the last it counts with the sum of two factors, or of six. All factors are 1
-/// modulo 4, so such a sum is even but no multiple of four: what is lost is the top bit of one byte, which no name has.
+/// A word that is among the first and among the last bytes counts with the sum of two factors, or of six. All
+/// factors are 1 modulo 4, so such a sum is even but not a multiple of four: only the top bit of one byte is
+/// lost, which no name has.
 [[gnu::always_inline]] constexpr std::uint64_t hash_name(std::string_view name) {
   constexpr std::uint64_t multiplier = 0x9E3779B97F4A7C15;
   std::size_t const size = name.size();
@@ -38,8 +40,8 @@ namespace axisc::schema {
   return hash ^ hash >> 32U;
 }
 
-/// Two-level hashing (hash, displace): names fall into buckets, and every bucket has a displacement that sends its
-/// names to free places of the table.
+/// Two-level hashing (hash, displace): names fall into buckets, and every bucket has a displacement that
+/// sends its names to free places of the table.
 struct HashGeometry {
   std::uint32_t buckets = 0;  ///< a power of two
   std::uint32_t places = 0;   ///< a power of two

@@ -1,4 +1,4 @@
-// Which of several rows a name with indices means: they differ in their indices only.
+// The row that a name with indices means, among rows that differ in their indices only.
 #pragma once
 
 #include "schema/catalogue.hpp"
@@ -10,7 +10,7 @@ namespace axisc::schema {
 
 struct NameMatch {
   bool exact = false;  ///< the name has the indices that a row asks for; they may be out of range
-  NameLookup lookup;   ///< unknown where `candidates` are none
+  NameLookup lookup;   ///< unknown where there are no `candidates`
 };
 
 /// `candidates` are indices into `rows`.

@@ -1,4 +1,4 @@
-// One row of the catalogue that owns its texts: what a schema file adds to the catalogue, or replaces.
+// One row of the catalogue that owns its texts: a row that a schema file adds or replaces.
 #pragma once
 
 #include "schema/catalogue.hpp"
@@ -11,7 +11,7 @@
 
 namespace axisc::schema {
 
-/// The fields mean what they mean in Parameter.
+/// The fields are those of Parameter.
 struct ParameterRow {
   using Words = std::vector<std::pair<std::string, std::optional<int>>>;
 

@@ -1,5 +1,5 @@
-// Which values of a parameter are beyond doubt: what nearly every line of nearly every list gives. What is
-// not among them is looked at more closely (validator/values/reading.hpp), and may be right as well.
+// Values of a parameter that are beyond doubt, as nearly every line of nearly every list has them. All others
+// are looked at more closely (validator/values/line_value.hpp), and may be right as well.
 #pragma once
 
 #include "schema/catalogue.hpp"
@@ -21,7 +21,7 @@ enum class PlainKind : std::uint8_t {
   text,     ///< a word of at most `longest` bytes
 };
 
-/// Of one row of the catalogue. Half a cache line, so that what look-ups need is contiguous.
+/// The plain values of one row of the catalogue. Half a cache line, so that look-ups read contiguous memory.
 struct PlainValues {
   double lowest = 0;
   double highest = 0;
@@ -43,7 +43,7 @@ constexpr double next_above(double value) {
   return std::bit_cast<double>(value > 0 ? bits + 1 : bits - 1);
 }
 
-/// Of the numbers that doubles tell apart.
+/// The range of the numbers that doubles hold exactly.
 constexpr DataRange plain_range_of(DataType type) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   constexpr double exact = 9007199254740992;  // 2^53: doubles hold all integers up to here
@@ -52,8 +52,7 @@ constexpr DataRange plain_range_of(DataType type) {
   return {.lowest = std::max(range.lowest, -exact), .highest = std::min(range.highest, exact)};
 }
 
-// What follows says less than the closer look does (schema/value.hpp): where it is in doubt, there is nothing
-// plain.
+// The functions below accept less than the closer look (schema/value.hpp): in doubt, no value is plain.
 
 /// Words with the numbers that they mean, or none; there are not too many.
 constexpr bool has_plain_symbols(Parameter const& parameter) {

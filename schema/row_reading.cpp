@@ -59,7 +59,7 @@ class RowReader {
     }
     DataType const type = parse_data_type(word->get<std::string>()).value();
     if (known_ != nullptr && row_.type == type) return;
-    // What was said for another type does not hold for this one.
+    // Properties of another type do not apply to this one.
     row_.type = type;
     row_.minimum = {};
     row_.maximum = {};
@@ -115,7 +115,7 @@ class RowReader {
         .number = text.starts_with("MAX") ? range.highest : range.lowest, .kind = Kind::number, .open = open};
   }
 
-  /// Those that every row of the type has.
+  /// The symbols that every row of the type has.
   [[nodiscard]] ParameterRow::Words own_symbols() const {
     if (row_.type != DataType::boolean) return {};
     return {{"FALSE", 0}, {"TRUE", 1}};

@@ -1,4 +1,4 @@
-// Rows of a catalogue as JSON says them: those of axis-parameters.json and other-lists.json, which the generator reads,
+// Rows of a catalogue in JSON: those of axis-parameters.json and other-lists.json, which the generator reads,
 // and those of schema files.
 #pragma once
 
@@ -42,10 +42,10 @@ struct RowReading {
   std::vector<RowProblem> problems;
 };
 
-/// What `entry` makes of `known`, the row of its name, or of nothing. It replaces what it names and keeps the
-/// rest; with another type, limits, default and words of the old one are dropped. `entry` is as
-/// docs/schemas/schema-file.schema.json says, with numbers of `kind` and, where it is another than `axis`, with
-/// `"flags": true` for words that are joined by `|`; everything else throws what nlohmann throws.
+/// `known`, the row of its name or an empty one, with the properties of `entry`, which replaces those that it
+/// names and keeps the rest; with another type, limits, default and words of the old one are dropped. `entry`
+/// follows docs/schemas/schema-file.schema.json, with numbers of `kind` and, where it is another than `axis`,
+/// with `"flags": true` for words that are joined by `|`; anything else throws an exception of nlohmann.
 [[nodiscard]] RowReading read_row(nlohmann::ordered_json const& entry, Parameter const* known,
                                   ListKind kind = ListKind::axis);
 

@@ -45,7 +45,8 @@ void drop_arbitrary(std::vector<Candidate>& candidates) {
   }
 }
 
-/// The best candidate can be meant alone: its name has as many indices and begins alike, and no other comes near.
+/// The best candidate can be meant alone: its name has as many indices and begins alike, and no other comes
+/// near.
 bool is_certain(std::vector<Candidate> const& candidates, Vocabulary const& vocabulary, std::size_t indices) {
   Candidate const& best = candidates.front();
   // Two names may differ in their indices alone.
@@ -58,7 +59,8 @@ bool is_certain(std::vector<Candidate> const& candidates, Vocabulary const& voca
          vocabulary.rows[best.name].index_count() == indices;
 }
 
-/// The known name with the indices of the given one; 0 where there are too few. None when one is out of range there.
+/// The known name with the indices of the given one; 0 where there are too few. None when one is out of range
+/// there.
 std::optional<std::string> with_indices(Parameter const& parameter, IndexedName const& given) {
   if (parameter.index_count() == 0) return std::string(parameter.name);
   constexpr std::size_t usual_digits = 4;

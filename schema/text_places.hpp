@@ -11,8 +11,8 @@
 namespace axisc::schema {
 
 /// A hash table with linear probing, which can also be made at run time: if the place of its hash is taken, a
-/// text has the next free one.
-/// Each is a place in the list + 1, or 0; there are twice as many as texts at least, and a power of two.
+/// text has the next free one. Each entry is a place in the list + 1, or 0; there are at least twice as many
+/// as texts, and a power of two.
 using TextPlaces = std::span<std::uint32_t const>;
 
 /// `texts` are distinct.

@@ -38,7 +38,8 @@ bool has_leading_zero(Digits const& digits) {
 
 constexpr std::size_t digits_without_overflow = 19;
 
-/// A decimal number of at most so many digits, as nearly all integers of a list are. None where one is no digit.
+/// A decimal number of at most this many digits, as nearly all integers of a list are. None where one is not
+/// a digit.
 std::optional<std::uint64_t> read_decimal_digits(std::string_view digits) {
   std::uint64_t value = 0;
   for (char const digit : digits) {
@@ -94,7 +95,7 @@ NumberReading read_real(std::string_view text) {
   auto const [stop, error] = std::from_chars(digits.text.data(), end, value);
   if (stop != end || error == std::errc::invalid_argument) return {};
   if (error == std::errc::result_out_of_range) {
-    // Too small is zero, as everywhere; only a number that is too big cannot be meant.
+    // A number that is too small is zero, as everywhere; only a number that is too big cannot be meant.
     std::size_t const exponent = digits.text.find_first_of("eE");
     bool const tiny = exponent != std::string_view::npos && digits.text.substr(exponent + 1, 1) == "-";
     return {.status = tiny ? NumberStatus::good : NumberStatus::exponent_too_big, .number = 0};

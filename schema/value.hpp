@@ -1,4 +1,4 @@
-// A parameter's value with its type resolved, and how the text of a list becomes one.
+// A parameter's value with its type resolved, and the conversion from the text of a list.
 #pragma once
 
 #include "schema/catalogue.hpp"
@@ -53,7 +53,7 @@ struct NumberReading {
   using Kind = schema::Limit::Kind;
   schema::Limit const& low = parameter.minimum;
   schema::Limit const& high = parameter.maximum;
-  // Computed and not decided: the kinds of limits differ from line to line.
+  // Computed without branches: the kinds of limits differ from line to line.
   bool const below = static_cast<bool>((low.kind == Kind::number) &
                                        ((value < low.number) | (low.open & (value == low.number))));
   bool const above = static_cast<bool>((high.kind == Kind::number) &

@@ -24,7 +24,7 @@ std::string_view family_of(std::string_view name) {
   return name.substr(0, name.rfind('.') + 1);
 }
 
-/// `keys[i]` says to which of `count` groups number i belongs.
+/// `keys[i]` is the group, out of `count`, of number i.
 VocabularyTables::OwnGroups group_by(std::vector<std::uint32_t> const& keys, std::size_t count) {
   VocabularyTables::OwnGroups groups;
   groups.starts.resize(count + 1);

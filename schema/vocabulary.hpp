@@ -34,7 +34,8 @@ struct Vocabulary {
   std::span<std::string_view const> names;   ///< without brackets
   Groups names_of_size;                      ///< of each number of bytes
   std::span<Letters const> letters_by_size;  ///< of the names, in the order of names_of_size.numbers
-  /// The same; after the last one there is room, so that letters_at_once may be read from every name on.
+  /// Likewise the odd letters, with room after the last one, so that letters_at_once may be read from every
+  /// name on.
   std::span<OddLetters const> odd_letters_by_size;
   std::span<std::string_view const> parts;  ///< each different one
   TextPlaces places_of_parts;
@@ -46,7 +47,7 @@ struct Vocabulary {
   std::span<Letters const> letters_by_family;  ///< of the last parts, in the order of names_of_family.numbers
 };
 
-/// What a Vocabulary shows, where it is not built in.
+/// The tables of a Vocabulary that is not built in.
 struct VocabularyTables {
   struct OwnGroups {
     std::vector<std::uint32_t> starts;

@@ -1,4 +1,4 @@
-// Texts as words of eight bytes: how names are hashed and compared without going from byte to byte.
+// Texts as words of eight bytes, to hash and compare names without going from byte to byte.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ constexpr std::uint64_t word_at(char const* bytes) {
   return word;
 }
 
-/// The same of at most eight bytes, as if zeros followed them.
+/// word_at() for at most eight bytes, as if zeros followed them.
 constexpr std::uint64_t word_of(std::string_view text) {
   std::array<char, sizeof(std::uint64_t)> bytes{};
   std::copy(text.begin(), text.end(), bytes.begin());
@@ -53,7 +53,7 @@ constexpr std::uint64_t word_of(std::string_view text) {
 #if defined(__SSE2__)
 namespace detail {
 
-/// Of sixteen bytes each; `size` is at least that.
+/// Compares blocks of sixteen bytes; `size` is at least that.
 [[gnu::always_inline]] inline bool same_vectors(char const* a, char const* b, std::size_t size) {
   auto const equal = [&](std::size_t at) {
     std::size_t const place = std::min(at, size - sizeof(__m128i));
@@ -72,7 +72,7 @@ namespace detail {
 #endif
 
 /// Whether `size` bytes are the same. From sixteen on they are compared sixteen at a time, and up to 48
-/// without a loop: names are too short for a call to pay, and how long they are differs from line to line.
+/// without a loop: names are too short for a call to pay, and their length differs from line to line.
 [[gnu::always_inline]] constexpr bool same_bytes(char const* a, char const* b, std::size_t size) {
   constexpr std::size_t step = 16;
   if (size < step) {
@@ -99,15 +99,15 @@ constexpr bool same_bytes(std::string_view a, std::string_view b) {
   return a.size() == b.size() && same_bytes(a.data(), b.data(), a.size());
 }
 
-/// No capital letter of ASCII. Eight bytes at a time: every mistyped name is asked, and nearly all are lower
-/// case.
+/// No capital letter of ASCII. Eight bytes at a time: every mistyped name is checked, and nearly all are
+/// lower case.
 constexpr bool is_lower_case(std::string_view text) {
   constexpr std::uint64_t each_byte = 0x0101010101010101;
   constexpr std::uint64_t high_bits = 0x80 * each_byte;
   std::uint64_t capitals = 0;
   auto const look_at = [&capitals](std::uint64_t bytes) {
-    // What is added carries into the high bit of a byte from 'A' on, or from behind 'Z' on, and never into
-    // the next byte.
+    // The sum carries into the high bit of a byte from 'A' on, or from the character after 'Z' on, and never
+    // into the next byte.
     std::uint64_t const low = bytes & ~high_bits;
     capitals |= (low + (0x80 - 'A') * each_byte) & ~(low + (0x7F - 'Z') * each_byte) & ~bytes;
   };

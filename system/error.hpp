@@ -1,4 +1,4 @@
-// What the operating system answers when it refuses.
+// Errors of the operating system.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace axisc::system {
 
-/// Reasons that callers tell apart; everything else is `other` and has the system's own words.
+/// Reasons that callers distinguish; every other error is `other` and has the system's own words.
 enum class Refusal : std::uint8_t {
   not_found,
   exists,

@@ -34,11 +34,11 @@ enum class Access : std::uint8_t {
 /// A symbolic link as the last component of a path.
 enum class Link : std::uint8_t { followed, refused };
 
-/// Who may read a file that is made.
+/// Who may read a new file.
 enum class Privacy : std::uint8_t {
   usual,     ///< as the user's environment has it
   owner,     ///< its owner alone
-  readable,  ///< everybody; its owner writes
+  readable,  ///< everybody; only its owner may write
 };
 
 /// A file that is closed once. Calls that a signal interrupts are repeated.
@@ -75,7 +75,7 @@ class File {
   /// Network file systems report a full disk only here.
   [[nodiscard]] std::optional<Error> close();
 
-  /// Owner, group and permissions of `other`, as far as the user may give them away.
+  /// Owner, group and permissions of `other`, as far as the user may set them.
   [[nodiscard]] std::optional<Error> take_over_owner(FileStatus const& other) const;
   /// Access control lists and other extended attributes of the file `path`. Best effort.
   void take_over_attributes(std::string const& path) const;
@@ -93,7 +93,7 @@ class File {
   auto const* const facts = std::get_if<FileStatus>(&status);
   return facts != nullptr && facts->kind == FileKind::regular;
 }
-/// Of the file behind a link, or of the link itself where links are refused.
+/// The status of the file that a link leads to, or of the link itself where links are refused.
 [[nodiscard]] Result<FileStatus> status_of(std::string const& path, Link link = Link::followed);
 /// Nothing where no file has this name.
 [[nodiscard]] std::optional<FileKind> kind_of(std::string const& path, Link link = Link::followed);
@@ -107,7 +107,7 @@ class File {
 void remove(std::string const& path);
 /// The names in a folder survive a power failure. Best effort.
 void sync_folder(std::string const& folder);
-/// All of a file, whatever size it is said to have; nothing where it cannot be read.
+/// All of a file, whatever its reported size; nothing where it cannot be read.
 [[nodiscard]] std::optional<std::string> bytes_of(std::string const& path);
 
 }  // namespace axisc::system

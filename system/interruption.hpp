@@ -7,7 +7,7 @@
 
 namespace axisc::system {
 
-/// Holds back what ends a program for as long as it lives, so that making a file and remembering it are one step.
+/// Blocks signals that would end the program, so that a file is made and registered in one step.
 class WithoutInterruption {
  public:
   WithoutInterruption();
@@ -23,8 +23,9 @@ class WithoutInterruption {
 /// One for each thread, and some more.
 inline constexpr std::size_t most_files_at_once = 1100;
 
-/// While it lives, Ctrl-C and a request to end remove this file before they end the program. A signal that is ignored or
-/// handled by somebody else stays so. `path` must live longer; of more than `most_files_at_once` the further ones are left.
+/// While it lives, Ctrl-C and a request to end remove this file before they end the program. A signal that is
+/// ignored or handled elsewhere stays so. `path` must outlive this; files beyond `most_files_at_once` are not
+/// removed.
 class RemovedWhenInterrupted {
  public:
   explicit RemovedWhenInterrupted(char const* path);

@@ -1,4 +1,4 @@
-// Names of files: UTF-8 with `/` in the whole program, what the system wants inside std::filesystem.
+// Names of files: UTF-8 with `/` in the whole program, in the system's form inside std::filesystem.
 #pragma once
 
 #include <filesystem>

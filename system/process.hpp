@@ -13,11 +13,12 @@ namespace axisc::system {
 
 enum class Stream : std::uint8_t { output = 1, error = 2 };
 
-/// Called once at the start: a closed pipe and a file beyond the user's limit are errors of write() from then on, and standard input, output and error are
-/// open, so that no file takes the place of one that the caller closed.
+/// Called once at the start: a closed pipe and a file beyond the user's limit are errors of write() from then
+/// on, and standard input, output and error are open, so that no file takes the place of one that the caller
+/// closed.
 void prepare_streams();
-/// Memory that one input needed waits for the next one instead of going back to the system, which would hand it out again
-/// page by page: as much time as to read a list.
+/// Memory that one input needed waits for the next one instead of going back to the system, which would hand
+/// it out again page by page: as much time as to read a list.
 void keep_memory();
 
 [[nodiscard]] bool is_terminal(Stream stream);
@@ -29,13 +30,14 @@ void keep_memory();
 /// Empty when it is not set.
 [[nodiscard]] std::string_view environment_variable(char const* name);
 
-/// What the system's settings say of the user's language, "de"; empty where variables of the environment alone say it.
+/// The user's language in the system's settings, "de"; empty where only variables of the environment define
+/// it.
 [[nodiscard]] std::string_view language_of_settings();
 
-/// Whether `*.lis` reaches the program as the names that it stands for.
+/// Whether the shell replaces `*.lis` by the names that match it.
 [[nodiscard]] bool shell_expands_patterns();
 
-/// What no other process that runs now has, on any host: number of the process and name of the host.
+/// Unique among all running processes, on every host: number of the process and name of the host.
 struct ProcessName {
   std::uint64_t number = 0;
   std::string host;

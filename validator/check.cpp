@@ -25,7 +25,7 @@ CheckResult check(LoadedMachine& machine, configuration::Files& files, CheckOpti
                   SourceSet& sources, FindingSink const& sink) {
   CheckResult result;
   result.cycle_time_known = machine.cycle_time.has_value();
-  // Whether shown or not: the machine lacks what is missing or cannot be understood.
+  // Whether shown or not: the machine lacks the parts that are missing or cannot be understood.
   bool const is_understood = machine.complete && machine.findings.empty();
 
   machine.gantries = gantries_of(machine);

@@ -15,19 +15,20 @@
 
 namespace axisc::validator {
 
-/// Why an input makes no machine.
+/// The reason why an input makes no machine.
 enum class Obstacle : std::uint8_t {
   none,
-  incomplete,  ///< something that it names is missing, unreadable or of another kind, or it is itself not understood
+  /// Something that it names is missing, unreadable or of another kind, or it is itself not understood.
+  incomplete,
   errors,
   no_axis
 };
 
 struct CheckResult {
   std::vector<Finding> findings;  ///< in output order; empty if a sink takes them
-  /// Present only if wanted and nothing is in its way, whether findings about that are shown or not.
+  /// Present only if wanted and possible; findings that prevent it count even where they are not shown.
   std::optional<machine::Machine> machine;
-  /// The input is a list of another kind than axis lists (AX7001): it says nothing about a machine.
+  /// The input is a list of another kind than axis lists (AX7001): it does not describe a machine.
   bool is_other_list = false;
   Obstacle obstacle = Obstacle::none;     ///< why there is no machine
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
@@ -37,14 +38,14 @@ struct CheckResult {
   std::vector<std::string> files;  ///< every file that was read, in order (for dependency files)
 };
 
-/// Checks a machine file if `path` ends in .json and the file contains an object, an NC program (without a machine) if
-/// it ends in .nc, else one axis list. `sources` receives every text read; of NC programs only the lines that findings
-/// can point to (see whole_programs). The machine may read programs again, so `files` must outlive it. Never throws for
-/// bad input.
+/// Checks a machine file if `path` ends in .json and the file contains an object, an NC program (without a
+/// machine) if it ends in .nc, else one axis list. `sources` receives every text read; of NC programs only
+/// the lines that findings can point to (see whole_programs). The machine may read programs again, so `files`
+/// must outlive it. Never throws for bad input.
 [[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path,
                                 CheckOptions const& options, SourceSet& sources);
 struct LoadedMachine;
-/// The same for an input that load() has read; the machine stays the caller's.
+/// Checks an input that load() has read; the machine stays the caller's.
 [[nodiscard]] CheckResult check(LoadedMachine& machine, configuration::Files& files,
                                 CheckOptions const& options, SourceSet& sources, FindingSink const& sink);
 /// As check() above, but passes one finding at a time to `sink` instead of collecting them in memory.

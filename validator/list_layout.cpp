@@ -3,8 +3,8 @@
 #include "diagnostics/utf8.hpp"
 #include "grammar/axis_list.hpp"
 #include "validator/values/kind_of_list.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/list_reader.hpp"
-#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <map>
@@ -19,10 +19,11 @@ constexpr std::size_t gap = 2;
 constexpr std::size_t tab_width = 8;
 /// Longer values do not move the comments of neighbouring lines.
 constexpr std::size_t widest_value = 32;
-/// Longer lines are left unchanged: otherwise neighbouring lines would grow with them, finally beyond readability.
+/// Longer lines are left unchanged: otherwise neighbouring lines would grow with them, finally beyond
+/// readability.
 constexpr std::size_t longest_aligned_line = 1024;
 
-/// A list keeps its own columns if it has so many lines, of which so many have their values in one column.
+/// A list keeps its own columns if it has this many lines, of which this share has its values in one column.
 constexpr std::size_t smallest_layout = 12;
 constexpr std::size_t layout_percent = 75;
 constexpr std::size_t widest_column = 200;
@@ -43,11 +44,11 @@ std::string_view without_blanks_behind(std::string_view text) {
 }
 
 /// After these values the control treats any text as a comment.
-bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading) {
+bool ends_at_blank(grammar::Assignment const& assignment, LineValue const& line_value) {
   using grammar::ValueKind;
-  if (!reading.usable()) return false;
-  if (reading.status == ReadingStatus::reference) return true;
-  schema::Parameter const& parameter = *reading.row;
+  if (!line_value.usable()) return false;
+  if (line_value.status == ReadingStatus::reference) return true;
+  schema::Parameter const& parameter = *line_value.row;
   if (parameter.type == schema::DataType::boolean) return true;
   if (parameter.type == schema::DataType::string && !parameter.is_enumeration()) return false;
   return assignment.kind == ValueKind::integer || assignment.kind == ValueKind::hexadecimal ||
@@ -60,7 +61,7 @@ class Layout {
       : source_(source), list_(judge_list(source, grammar::parse_axis_list(source), catalogue)) {}
 
   [[nodiscard]] std::optional<configuration::ListKind> kind() const {
-    return kind_of_list(source_, list_.tree, list_.readings);
+    return kind_of_list(source_, list_.tree, list_.line_values);
   }
 
   /// True if write() kept one column for all values of the list.
@@ -90,15 +91,16 @@ class Layout {
  private:
   [[nodiscard]] std::vector<Row> rows() const {
     std::vector<Row> rows;
-    for (std::size_t i = 0; i < list_.readings.size(); ++i) {
+    for (std::size_t i = 0; i < list_.line_values.size(); ++i) {
       grammar::Assignment const& assignment = list_.tree.assignments[i];
       Span const line = source_.line_span(assignment.line);
       if (line.size() > longest_aligned_line) continue;
-      Reading const reading = list_.readings[i];
-      Span const value = ends_at_blank(assignment, reading) ? assignment.value
-                                                            : grammar::free_text(source_.bytes(), assignment);
+      LineValue const line_value = list_.line_values[i];
+      Span const value = ends_at_blank(assignment, line_value)
+                             ? assignment.value
+                             : grammar::free_text(source_.bytes(), assignment);
       // `4(` is not a number, and must not become one.
-      if (!reading.usable() && value.end < assignment.value.end) continue;
+      if (!line_value.usable() && value.end < assignment.value.end) continue;
       rows.push_back({.line = line,
                       .indent = source_.slice({.begin = line.begin, .end = assignment.name.begin}),
                       .name = source_.slice(assignment.name),

@@ -1,4 +1,4 @@
-// What a check is asked to do: everything about policy comes in here, as data.
+// The options of a check: everything about policy comes in here, as data.
 #pragma once
 
 #include "configuration/machine/machine.hpp"
@@ -25,22 +25,23 @@ struct PathRule {
 struct CheckOptions {
   std::optional<design::CycleTime> cycle_time;  ///< from the command line; wins over a machine file's
   std::optional<machine::AxisType> axis_type;   ///< overrides kenngr.achs_typ of a list
-  design::Readings readings;                    ///< what the control makes of its filters
-  std::optional<BuildVersion> build;            ///< of the control: what it does not know yet is AX2016
+  design::Readings readings;                    ///< how the control computes its filters
+  std::optional<BuildVersion> build;            ///< of the control: newer features are AX2016
   bool pedantic = false;                        ///< notes as well
   std::vector<Code> disabled;
-  /// Instead of those of the rules: what is an error here keeps the machine from being made, and hides warnings.
+  /// Instead of those of the rules: a finding that is an error here prevents the machine and hides warnings.
   std::map<Code, Severity> severities;
   std::vector<PathRule> paths;  ///< each is compared with the file in which a finding is, not with the input
   bool whole_programs = false;  ///< keep all of an NC program, so that fixes can be applied to it
-  bool machine = true;          ///< make the machine; who only wants findings need not pay for it
+  bool machine = true;          ///< make the machine; callers that only want findings save the time
   schema::Catalogue catalogue;  ///< of the parameters that axis lists may set
   std::optional<schema::ListKind> kind;  ///< of the input, where it is a list; none: found out
-  bool from_folder = false;              ///< the input was found in a folder, nobody named it
-  bool is_beside_start_up_list = false;  ///< the same, and a start-up list there does not name it
+  bool from_folder = false;              ///< the input was found in a folder, not named
+  bool is_beside_start_up_list = false;  ///< found in a folder with a start-up list that does not name it
 };
 
-/// Takes the findings of one input in output order, each as soon as it has words. It may change them and move out of them.
+/// Takes the findings of one input in output order, each as soon as its text is made. It may change them and
+/// move out of them.
 using FindingSink = std::function<void(Finding&)>;
 
 }  // namespace axisc::validator

@@ -67,7 +67,8 @@ void Runner::run_sections(Link const& link, Memory& memory, std::span<double> si
   }
 }
 
-/// y[n] = origin + sum of taps[k] (x[n - k] - origin), x[n] being padded[n + longest - 1]; from cycle `from` of the piece on.
+/// y[n] = origin + sum of taps[k] (x[n - k] - origin), x[n] being padded[n + longest - 1]; from cycle `from`
+/// of the piece on.
 void Runner::apply(std::vector<double> const& taps, double origin, std::size_t from,
                    std::span<double> signal) const {
   constexpr std::size_t group = 512;  // sums that stay in the cache while all taps pass over them

@@ -9,14 +9,15 @@
 
 namespace axisc::comparison {
 
-/// From a cycle of the recording on a kernel has other taps; it fades over to them as the runtime does.
+/// From a given cycle of the recording on, a kernel has other taps; it fades over to them as the runtime
+/// does.
 struct Switch {
   std::size_t cycle = 0;
   std::vector<double> taps{};
   std::size_t fade_cycles = 0;
 };
 
-/// Either second-order sections with a share, or the taps of a kernel: those, where there are any.
+/// Either second-order sections with a share, or the taps of a kernel; taps take precedence.
 struct Link {
   std::vector<design::IncrementSection> sections{};
   bool blocks_constant = false;
@@ -29,11 +30,12 @@ using Chain = std::vector<Link>;
 
 [[nodiscard]] Link link_of(design::FilterDesign const& filter);
 
-/// Answers an input that comes piece by piece, from rest at its first value, which is that of cycle `first` of the recording.
+/// Answers an input that comes piece by piece, from rest at its first value, which is that of cycle `first`
+/// of the recording.
 class Runner {
  public:
   explicit Runner(Chain chain, std::size_t first = 0);
-  /// The next piece becomes its answer.
+  /// Replaces the next piece by its answer.
   void run(std::span<double> signal);
 
  private:
@@ -44,7 +46,7 @@ class Runner {
     std::vector<State> states{};
     double origin = 0;  ///< the first input
     double sum = 0, last = 0,
-           passed = 0;  ///< what sections have added, their last input, what blocking ones integrated
+           passed = 0;  ///< sum of what sections have added, their last input, integral of blocking sections
     std::vector<double> before{};  ///< inputs of all taps but the first one, from the origin
   };
 
@@ -64,17 +66,17 @@ class Runner {
 [[nodiscard]] std::vector<double> respond(Chain const& chain, std::span<double const> input,
                                           std::size_t first = 0);
 
-/// Of a kernel and whatever it is switched to.
+/// The largest number of taps of a kernel and those it is switched to.
 [[nodiscard]] std::size_t most_taps(Link const& link);
 
-/// Cycles after which a state that is not known has less than a millionth of its effect; at most 20000.
+/// Cycles after which an unknown state has less than a millionth of its effect; at most 20000.
 [[nodiscard]] std::size_t settling_cycles(Chain const& chain);
 
-/// How many times as large errors of the input are behind the chain: their rms, where one is independent of the other.
+/// The factor by which the chain amplifies the rms of independent errors of its input.
 [[nodiscard]] double noise_gain(Chain const& chain);
 
-/// How many times as large as the largest error of the input its errors can become behind the chain, where all of them conspire:
-/// the sum of the magnitudes of its answer to an impulse; of kernels that are switched, the largest of these sums.
+/// The factor by which the chain amplifies the largest error of its input at most, if all errors conspire:
+/// the sum of the magnitudes of its impulse response; for switched kernels, the largest of these sums.
 [[nodiscard]] double worst_gain(Chain const& chain);
 
 }  // namespace axisc::comparison

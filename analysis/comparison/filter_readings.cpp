@@ -34,7 +34,7 @@ namespace {
 
 using Wanted = design::FilterReading;
 
-/// None where the reading means nothing for the type, or a section is one that no runtime would execute.
+/// None where the reading means nothing for the type, or where no runtime would execute one of the sections.
 template <Wanted reading>
 std::optional<Link> read_as(design::FilterSpecification const& listed, design::CycleTime cycle_time) {
   design::FilterSpecification wanted = listed;

@@ -15,11 +15,12 @@ namespace {
 constexpr std::size_t block = 128;
 constexpr int longest_lag = 10;
 constexpr std::size_t lags = 2 * longest_lag + 1;
-/// A switch has to save this many squares of what rounding explains, so that noise switches nothing.
+/// A switch has to save this many times the squares that rounding explains, so that noise switches nothing.
 constexpr double fewest_squares = 100;
 constexpr std::size_t most_switches = 100;
 
-/// Answers with the filter off and on, a piece of the recording at a time; what lies up to `longest_lag` cycles back is kept.
+/// Answers with the filter off and on, a piece of the recording at a time; the last `longest_lag` cycles are
+/// kept.
 class BothAnswers {
  public:
   BothAnswers(Configured const& configured, std::size_t first)
@@ -45,8 +46,9 @@ class BothAnswers {
 /// Sums of squares in a block, filter off and on, at one offset of the columns.
 using Squares = std::array<double, 2>;
 
-/// Calls `use(n, output, off, on)` for the cycles that count: the recorded output, and functions that give the answers `lag` cycles
-/// before cycle n. Cycles at the ends that have no answer for every lag are left out.
+/// Calls `use(n, output, off, on)` for the cycles that count: the recorded output, and functions that give
+/// the answers `lag` cycles before cycle n. Cycles at the ends that have no answer for every lag are left
+/// out.
 template <class Use>
 void for_each_counted(Recording const& recording, Configured const& configured,
                       std::vector<bool> const& counted, Use use) {
@@ -55,7 +57,7 @@ void for_each_counted(Recording const& recording, Configured const& configured,
   for_each_part(recording.input, [&](std::size_t first, std::span<double const> input) {
     answers.run(input);
     std::size_t const known = first + input.size();        // cycles with an answer
-    std::size_t const begin = known - answers.off.size();  // of the answers at hand
+    std::size_t const begin = known - answers.off.size();  // of the known answers
     std::size_t const from = begin == 0 ? longest_lag : begin + longest_lag;
     std::size_t const to = known - std::min<std::size_t>(known, longest_lag);
     if (to <= from) return;
@@ -87,7 +89,8 @@ Blocks blocks_of(Recording const& recording, Configured const& configured, std::
       all[n / block].at(i)[1] += with * with;
     }
   });
-  // Logarithms: a block in which the filter changes over is explained by neither, and must not outweigh the others.
+  // Logarithms: a block in which the filter changes over is explained by neither, and must not outweigh the
+  // others.
   std::array<double, lags> sums{};
   for (auto const& one : all) {
     for (std::size_t i = 0; i < lags; ++i) {
@@ -123,7 +126,7 @@ std::vector<bool> cheapest_states(std::vector<Squares> const& squares, bool on_a
   return on;
 }
 
-/// One switch, and the cycles among which it is looked for.
+/// One switch, and the cycles in which to look for it.
 struct Sought {
   bool on = false;
   std::size_t length = 0;           ///< of the change-over
@@ -153,7 +156,7 @@ struct Sought {
   }
 };
 
-/// A block that is explained otherwise than the one before lies in the middle of the change-over.
+/// A block that is explained differently from the one before lies in the middle of the change-over.
 std::vector<Sought> sought_switches(std::vector<bool> const& on, bool on_at_start, ChangeOver const& lengths,
                                     std::size_t cycles) {
   std::vector<Sought> all;

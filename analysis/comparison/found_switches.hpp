@@ -14,9 +14,9 @@ struct ChangeOver {
   std::size_t on = 0, off = 0;
 };
 
-/// The switches between the kernel of the lists and none that explain the output best, by rising cycle; none where the kernel is
-/// absent, or where the filter seems to stay as it is. Whether they explain it well is for compare() to say. Cost: two runs of the
-/// chain over the recording, both on and off; memory: 3 bytes a cycle.
+/// The switches between the kernel of the lists and none that explain the output best, by rising cycle; none
+/// where the kernel is absent, or where the filter seems to stay as it is. compare() decides whether they
+/// explain it well. Cost: two runs of the chain over the recording, both on and off; memory: 3 bytes a cycle.
 [[nodiscard]] std::vector<KernelSwitch> found_switches(Recording const& recording,
                                                        Configured const& configured,
                                                        ChangeOver const& lengths);

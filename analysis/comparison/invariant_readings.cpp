@@ -35,8 +35,8 @@ bool is_lag(FilterSpecification const& wanted) {
 
 constexpr std::size_t parts_of_cycle = 64;
 
-/// The analogue filter's answer to a step, in parts of a cycle. The bilinear transform of a short cycle makes of the jump a
-/// ramp between two samples, so that these are half a part behind it.
+/// The analogue filter's answer to a step, in parts of a cycle. The bilinear transform of a short cycle turns
+/// the jump into a ramp between two samples, so that these lag by half a part.
 std::vector<double> analogue_step(FilterSpecification wanted, CycleTime cycle_time) {
   wanted.share_percent = 100;
   auto const link = designed(wanted, CycleTime{cycle_time.nanoseconds / std::uint32_t{parts_of_cycle}});
@@ -49,7 +49,7 @@ std::vector<double> analogue_step(FilterSpecification wanted, CycleTime cycle_ti
   return answer;
 }
 
-/// Taps that sum up to the share, and the rest passes.
+/// Taps that sum up to the share; the rest passes through.
 Link with_share(std::vector<double> taps, double share_percent) {
   double const sum = std::accumulate(taps.begin(), taps.end(), 0.0);
   for (double& tap : taps) tap *= share_percent / 100 / sum;

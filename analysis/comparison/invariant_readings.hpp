@@ -1,5 +1,5 @@
-// Readings of a standard filter as taps: discretisations that keep the analogue answer to an impulse or a step. Settings do not
-// have them: no cascade of sections computes them.
+// Readings of a standard filter as taps: discretisations that keep the analogue answer to an impulse or a
+// step. Settings do not offer them: no cascade of sections computes them.
 #pragma once
 
 #include "analysis/comparison/filter_readings.hpp"

@@ -7,7 +7,7 @@ namespace axisc::comparison {
 
 namespace {
 
-/// For each stretch of the signal how much its velocity changes there.
+/// How much the velocity changes in each stretch of the signal.
 std::vector<double> bends_of(Signal const& signal, std::size_t stretch) {
   std::vector<double> bends(signal.size() / stretch + 1, 0.0);
   double last = signal.front();

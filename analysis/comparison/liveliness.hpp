@@ -5,7 +5,8 @@
 
 namespace axisc::comparison {
 
-/// The first cycle of the part of `length` cycles with the most changes of velocity; 0 where the signal is not longer.
+/// The first cycle of the part of `length` cycles with the most changes of velocity; 0 where the signal is
+/// not longer.
 [[nodiscard]] std::size_t liveliest_part(Signal const& signal, std::size_t length);
 
 }  // namespace axisc::comparison

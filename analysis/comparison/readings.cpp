@@ -65,8 +65,9 @@ Chain unswitched(Chain chain) {
   return chain;
 }
 
-/// Whether the answers to a jump are the same but for whole cycles, which no recording tells apart from an offset of its columns.
-/// The same, not alike: whether alike ones can be told apart is for the recording to say.
+/// Whether the answers to a jump are the same but for whole cycles, which no recording tells apart from an
+/// offset of its columns. The same, not similar: whether a recording tells similar ones apart depends on its
+/// motion.
 bool same_but_delayed(Chain const& switched_one, Chain const& switched_other) {
   Chain const one = unswitched(switched_one);
   Chain const other = unswitched(switched_other);
@@ -78,7 +79,7 @@ bool same_but_delayed(Chain const& switched_one, Chain const& switched_other) {
   auto const a = respond(one, step);
   auto const b = respond(other, step);
   auto const agree = [&](std::size_t later_a, std::size_t later_b) {
-    // From the rest on: what came before the later answer must be rest, too.
+    // Compared from the start: before the later answer, the other one must be at rest, too.
     for (std::size_t n = 0; n + jump < length; ++n) {
       if (std::abs(a[n + later_a] - b[n + later_b]) > rounding) return false;
     }
@@ -132,7 +133,8 @@ std::vector<double> passing() {
   return {1.0};
 }
 
-/// The linear-phase filter and what commands make of it, each kernel as `taps` has it; empty where that cannot be had of one.
+/// The linear-phase filter and its switches, each kernel designed by `taps`; empty where one of them cannot
+/// be.
 template <class Taps>
 Chain kernel_chain(Configured const& configured, Taps const& taps) {
   if (configured.switches.empty() && !configured.kernel_on) return {};
@@ -201,7 +203,7 @@ bool can_be_designed(design::KernelSpecification const& kernel, design::CycleTim
   return fits && (!kind.computes_order || kernel.frequency >= design::lowest_novib_frequency(computed_for));
 }
 
-/// All parts but delays of whole cycles know the cycle time.
+/// All parts but delays of whole cycles depend on the cycle time.
 void add_other_cycle_time(std::vector<Reading>& all, Configured configured, Departure departure,
                           design::CycleReading reading) {
   for (auto& filter : configured.filters) filter.cycle_time = reading;

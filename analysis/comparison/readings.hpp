@@ -1,5 +1,5 @@
-// What a control may make of parameters whose arithmetic the manuals leave open: each reading is one departure
-// from what axisc computes.
+// What a control may make of parameters whose arithmetic the manuals leave open: each reading is one
+// departure from what axisc computes.
 #pragma once
 
 #include "analysis/comparison/chain.hpp"
@@ -23,12 +23,12 @@ struct KernelSwitch {
   std::size_t fade_cycles = 0;
 };
 
-/// The setpoint chain of an axis as the lists say it.
+/// The setpoint chain of an axis as the lists describe it.
 struct Configured {
   design::CycleTime cycle_time;
   std::vector<design::FilterSpecification> filters;
   std::optional<design::KernelSpecification> kernel;
-  bool kernel_on = true;                 ///< as the recording begins, as far as the lists say
+  bool kernel_on = true;                 ///< at the start of the recording, according to the lists
   std::vector<KernelSwitch> switches{};  ///< by rising cycle
 };
 
@@ -41,7 +41,8 @@ struct Departure {
   SentenceRef meaning;
 };
 
-/// Names of departures that are no words of settings; the first three lead back to what axisc computes without settings.
+/// Names of departures that settings cannot express; the first three lead back to what axisc computes without
+/// settings.
 inline constexpr std::string_view documented_filters = "documented-filters";
 inline constexpr std::string_view documented_kernels = "documented-kernels";
 inline constexpr std::string_view documented_cycle_time = "documented-cycle-time";
@@ -54,13 +55,14 @@ inline constexpr std::string_view cycle_time_quarter = "cycle-time-quarter";
 struct Reading {
   std::vector<Departure> departures;
   Chain chain;
-  /// Other departures that lead to the same chain from these lists, perhaps whole cycles later: each stands for `departures`.
-  /// Of other lists, such as ones with an even order, they may make different chains.
+  /// Other departures that lead to the same chain from these lists, perhaps whole cycles later: each is
+  /// equivalent to `departures`. For other lists, such as ones with an even order, they may make different
+  /// chains.
   std::vector<std::vector<Departure>> equals{};
 };
 
-/// The first is what axisc computes; then readings with one departure, then with two. Departures that change nothing about what
-/// axisc computes from these lists are left out.
+/// The first is what axisc computes; then readings with one departure, then with two. Departures that do not
+/// change what axisc computes from these lists are left out.
 [[nodiscard]] std::vector<Reading> readings(Configured const& configured);
 
 }  // namespace axisc::comparison

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int longest_lag = 10;
 constexpr std::size_t lags = 2 * longest_lag + 1;
-/// A fraction of a cycle is believed where it takes away at least this much.
+/// A fraction of a cycle is believed if it reduces the error to this share at most.
 constexpr double fraction_gain = 0.7;
-/// Cycles behind a gap that do not count, if the chain settles more slowly.
+/// Cycles after a gap that do not count: as many as the chain takes to settle, but at most these.
 constexpr std::size_t longest_shadow = 400;
 /// Cycles of a recording that are in memory at once.
 constexpr std::size_t window_size = 16384;
@@ -105,7 +105,7 @@ class WholeLags {
   std::array<Sums, lags> sums_{};
 };
 
-/// Between `lag` and the next cycle: the part of it with the smallest sum of squares.
+/// The fraction of the cycle from `lag` to the next one with the smallest sum of squares.
 struct PartOfCycle {
   int lag = 0;
   double projection = 0, energy = 0;
@@ -201,7 +201,7 @@ std::vector<bool> counted_cycles(Recording const& recording, Counting const& cou
       last = outputs[i];
     }
   });
-  // No rest at the start: the state is not known.
+  // Without rest at the start, the state is unknown.
   std::size_t const begin = std::min(counted.size(), resting < 3 ? counting.settling : resting);
   std::fill(counted.begin(), counted.begin() + static_cast<std::ptrdiff_t>(begin), false);
   std::size_t const shadow = std::min(counting.settling, longest_shadow);

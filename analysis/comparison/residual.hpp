@@ -9,10 +9,11 @@
 
 namespace axisc::comparison {
 
-/// The power of ten of which all values are multiples, but those of the gaps; 0 where there is none down to a millionth.
+/// The power of ten of which all values outside the gaps are multiples; 0 where there is none down to a
+/// millionth.
 [[nodiscard]] double resolution(Signal const& signal, std::span<std::size_t const> gaps);
 
-/// What decides which cycles count.
+/// Conditions for a cycle to count.
 struct Counting {
   std::size_t settling = 0;  ///< cycles after which the chain has forgotten an unknown start
   double output_resolution = 0;
@@ -21,11 +22,12 @@ struct Counting {
 /// Cycles where the output moves, the chain has settled since an unknown start, and no gap is near.
 [[nodiscard]] std::vector<bool> counted_cycles(Recording const& recording, Counting const& counting);
 
-/// Of `output` from `computed`. Among the offsets the smallest one that fits best.
+/// The residual of `output` from `computed`, at the smallest of the offsets that fit best.
 [[nodiscard]] Residual residual_of(std::span<double const> computed, std::span<double const> output,
                                    std::vector<bool> const& counted);
 
-/// Of a whole recording from the chain, also at parts of a cycle; memory does not grow with its length.
+/// The residual of a whole recording from the chain, also at fractions of a cycle; memory does not grow with
+/// its length.
 [[nodiscard]] Residual residual_of(Chain const& chain, Recording const& recording,
                                    std::vector<bool> const& counted);
 

@@ -22,7 +22,7 @@ Key key_of(std::string_view id) {
   return Key::filters;
 }
 
-/// What one explanation says about each key.
+/// The departure that one explanation contains for each key.
 using Said = std::array<std::string_view, keys.size()>;
 
 Said said_by(std::vector<Departure> const& departures) {
@@ -46,7 +46,7 @@ std::vector<Said> explanations(Comparison const& comparison) {
   return all;
 }
 
-/// False where settings have no word for it.
+/// False where settings cannot express it.
 bool set(design::Readings& settings, std::string_view id) {
   if (auto const filters = design::reading_of<FilterReading>(design::filter_reading_words, id)) {
     settings.filters = *filters;
@@ -113,7 +113,7 @@ std::optional<DeterminedSettings> settings_of(Comparison const& comparison, desi
                                    [&](OpenSetting const& one) { return one.key == keys.at(key); });
     if (open != found.open.end()) {
       auto const& possible = open->possible;
-      // What is in force, and is none of what may be, is not written again.
+      // A value in force that cannot be right is not written again.
       if (std::find(possible.begin(), possible.end(), in_force) == possible.end()) reset(found.readings, key);
     } else if (said.at(key) != in_force) {
       if (!set(found.readings, said.at(key))) return std::nullopt;

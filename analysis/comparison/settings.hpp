@@ -1,4 +1,4 @@
-// What a comparison says about the settings of a control (`design` of axisc.json).
+// The settings of a control (`design` of axisc.json) that a comparison determines.
 #pragma once
 
 #include "analysis/comparison/verdict.hpp"
@@ -17,13 +17,13 @@ struct OpenSetting {
 };
 
 struct DeterminedSettings {
-  design::Readings readings;  ///< what is in force, changed where every reading that fits says the same
+  design::Readings readings;  ///< those in force, changed where all readings that fit agree
   std::vector<OpenSetting> open = {};
 };
 
-/// The settings under which axisc computes what a recording shows; `current` are those that the lists were compiled with. None
-/// where the recording does not tell, nothing fits, the departure is none of the arithmetic but of the values (a filter that
-/// was on or off), or no setting is determined.
+/// The settings under which axisc computes what a recording shows; the lists were compiled with `current`.
+/// None where the recording cannot tell, nothing fits, the departure is one of values (a filter that was on
+/// or off) and not of arithmetic, or no setting is determined.
 [[nodiscard]] std::optional<DeterminedSettings> settings_of(Comparison const& comparison,
                                                             design::Readings const& current);
 

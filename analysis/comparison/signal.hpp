@@ -10,8 +10,8 @@
 
 namespace axisc::comparison {
 
-/// What was pushed is read back exactly. Values that are whole multiples of a power of ten and lie close together take two
-/// or four bytes, others eight.
+/// Values are read back exactly. Values that are whole multiples of a power of ten and lie close
+/// together take two or four bytes, others eight.
 class Signal {
  public:
   Signal() = default;
@@ -37,7 +37,7 @@ class Signal {
   void close();
 
   std::vector<Block> blocks_;
-  std::vector<double> open_;  ///< values behind the last block
+  std::vector<double> open_;  ///< values after the last block
   double per_unit_ = 1;       ///< of the last block
   std::size_t size_ = 0;
   double front_ = 0, back_ = 0;

@@ -12,7 +12,7 @@ namespace {
 
 /// Cycles at rest before a motion, more than the longest offset of columns.
 constexpr std::size_t rest = 20;
-/// Rounding hides what is not this many times as large as it.
+/// Differences that are not this many times as large as the rounding are hidden by it.
 constexpr double clearly = 3;
 
 std::vector<double> setpoints(Motion motion, Motions const& motions, std::size_t settling) {
@@ -26,12 +26,13 @@ std::vector<double> setpoints(Motion motion, Motions const& motions, std::size_t
   return values;
 }
 
-/// What is left between the answers of two readings, where the second one is taken for a recording: in cycles where it moves.
+/// The residual between the answers of two readings, the second one taken for a recording, in cycles where it
+/// moves.
 double apart(Reading const& one, Reading const& other, std::vector<double> const& input, double resolution) {
   Recording const recording{
       .input = Signal(input), .output = Signal(respond(other.chain, input)), .gaps = {}};
   auto const counted = counted_cycles(recording, {.settling = 0, .output_resolution = resolution});
-  // Parts of a cycle as in compare(): of what the lists say.
+  // As in compare(), fractions of a cycle are only allowed for the listed chain.
   return one.departures.empty()
              ? residual_of(one.chain, recording, counted).rms
              : residual_of(respond(one.chain, input), recording.output.values(), counted).rms;

@@ -1,4 +1,4 @@
-// Which motion would tell readings apart that a recording does not.
+// A motion that tells apart readings which a recording does not.
 #pragma once
 
 #include "analysis/comparison/verdict.hpp"
@@ -15,14 +15,14 @@ enum class Motion : std::uint8_t {
   none            ///< the readings are alike in all of them
 };
 
-/// What an axis can be told to do, in units of the recording.
+/// Limits of an axis, in units of the recording.
 struct Motions {
   double velocity = 0;  ///< per cycle
   double step = 0;
 };
 
-/// The gentlest motion in which every two of `readings` differ by clearly more than rounding to the recording's resolution hides,
-/// whatever the offset of the columns. None for fewer than two.
+/// The gentlest motion in which every two of `readings` differ by clearly more than rounding to the
+/// recording's resolution, whatever the offset of the columns. None for fewer than two.
 [[nodiscard]] std::optional<Motion> telling_motion(std::span<Reading const> readings,
                                                    Comparison const& comparison, Motions const& motions);
 

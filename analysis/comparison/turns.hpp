@@ -7,8 +7,9 @@
 
 namespace axisc::comparison {
 
-/// Makes both columns continuous: where a value is more than half a turn from the one before, it and all later ones move by
-/// turns. Interpolated values of lost cycles are made anew. Returns the number of jumps.
+/// Makes both columns continuous: where a value is more than half a turn from the one before, it and all
+/// later ones move by turns. Interpolated values of lost cycles are computed again. Returns the number of
+/// jumps.
 std::size_t unwind(Recording& recording, double turn);
 
 }  // namespace axisc::comparison

@@ -11,16 +11,20 @@ namespace axisc::comparison {
 namespace {
 
 constexpr std::size_t fewest_cycles = 50;
-/// Cycles of which readings are tried; the listed chain is run over all of them.
+/// Cycles on which readings are tried; the listed chain is run over the whole recording.
 constexpr std::size_t longest_trial = 16384;
-/// What fits has at most this much more than the resolution explains, and at most this many steps of it anywhere.
+/// A reading fits if its rms is at most this many times what the resolution explains, and no error exceeds
+/// this many steps.
 constexpr double rms_margin = 1.4;
 constexpr double steps_margin = 3;
-/// Of a reading that is believed nothing may be left that rounding cannot make, but for the errors of its own arithmetic.
+/// A believed reading leaves nothing but what rounding can cause, apart from the errors of its own
+/// arithmetic.
 constexpr double own_errors = 1.05;
-/// A reading that is this much worse than the best one does not fit: the rms of some hundred cycles is hardly luck.
+/// A reading that is this much worse than the best one does not fit: the rms of some hundred cycles is hardly
+/// luck.
 constexpr double clearly_worse = 1.1;
-/// Of the listed chain and a reading that both fit, the reading is believed where its error is so much smaller.
+/// If both the listed chain and a reading fit, the reading is believed if its error is smaller by this
+/// factor.
 constexpr double believed_gain = 1.25;
 constexpr double numeric_noise = 2e-9;
 
@@ -50,14 +54,15 @@ Recording busiest_part(Recording const& whole, std::size_t settling) {
   return taken;
 }
 
-/// What rounding of the two columns explains.
+/// Errors that rounding of the two columns explains.
 struct Allowance {
   double input = 0, output = 0;  ///< their resolutions
   double noise = 0;
   [[nodiscard]] double rms(double gain = 1) const {
     return std::hypot(gain * input, output) / std::sqrt(12.0);
   }
-  /// What a recording can measure: less is luck, as of a slow motion, where rounding of both columns is alike.
+  /// The least rms that a recording can measure: anything smaller is luck, as in slow motion, where both
+  /// columns round alike.
   [[nodiscard]] double measurable(Residual const& residual) const {
     return std::max(residual.rms, output / std::sqrt(12.0));
   }
@@ -65,20 +70,21 @@ struct Allowance {
     return residual.rms <= rms_margin * rms(gain) + noise &&
            residual.largest <= steps_margin * std::max(gain * input, output) + 10 * noise;
   }
-  /// A chain that enhances high frequencies enhances what was rounded off its input.
+  /// A chain that amplifies high frequencies amplifies the rounding errors of its input.
   [[nodiscard]] bool holds(Explained const& explained) const {
     constexpr double largest_gain = 10;
     if (holds(explained.residual)) return true;
     if (!holds(explained.residual, largest_gain)) return false;
     return holds(explained.residual, std::clamp(noise_gain(explained.reading.chain), 1.0, largest_gain));
   }
-  /// What both columns can be off by at most, where a chain makes errors of its input so many times as large.
+  /// The largest error that rounding of both columns explains, if the chain amplifies errors of its input by
+  /// `worst_gain`.
   [[nodiscard]] double largest(double worst_gain) const { return (worst_gain * input + output) / 2; }
   [[nodiscard]] bool is_within_rounding(Explained const& explained) const {
     auto const is_below = [&](double bound) {
       return explained.residual.largest <= own_errors * bound + 10 * noise;
     };
-    // A chain that passes what stays makes no error that stays smaller.
+    // A chain that passes a constant does not reduce a constant error.
     return is_below(largest(1)) || is_below(largest(worst_gain(explained.reading.chain)));
   }
   [[nodiscard]] bool explains(Explained const& explained) const {
@@ -106,7 +112,8 @@ std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& 
   return found;
 }
 
-/// The readings that the recording does not rule out. What it does is next. `found` by rising rms.
+/// The readings that the recording does not rule out; the best of the others becomes `next`. `found`: by
+/// rising rms.
 void explain(Comparison& comparison, std::vector<Explained> const& found, Allowance const& allowance) {
   for (auto const& one : found) {
     if (one.reading.departures.empty()) continue;
@@ -153,7 +160,7 @@ Comparison compare(Recording const& recording, std::vector<Reading> const& all) 
   if (!is_same || comparison.fitting.empty()) return comparison;
   auto const listed = std::find_if(found.begin(), found.end(),
                                    [](Explained const& one) { return one.reading.departures.empty(); });
-  // A part of a cycle is not in the chain: what it leaves is no rounding.
+  // The chain contains no fraction of a cycle: the error left by one is not rounding.
   double const delay = listed->residual.delay_cycles;
   bool const is_ruled_out = delay == std::round(delay) && !allowance.is_within_rounding(*listed);
   if (is_ruled_out ||

@@ -1,4 +1,5 @@
-// Does a recording agree with the chain that the lists describe, and if not, which reading does it agree with?
+// Does a recording agree with the chain that the lists describe, and if not, which reading does it agree
+// with?
 #pragma once
 
 #include "analysis/comparison/readings.hpp"
@@ -20,7 +21,7 @@ struct Recording {
 
 /// How far a chain's answer is from the recorded output where the output moves.
 struct Residual {
-  double delay_cycles = 0;  ///< of the recorded output behind the chain's
+  double delay_cycles = 0;  ///< by which the recorded output lags the chain's
   double largest = 0;
   double rms = 0;
 };
@@ -42,19 +43,19 @@ struct Comparison {
   Residual listed{};
   double input_resolution = 0;  ///< 0 where the numbers have more than six decimals
   double output_resolution = 0;
-  double allowed_rms = 0;      ///< what rounding to these resolutions explains of what axisc computes
-  double allowed_largest = 0;  ///< the same of the largest deviation
+  double allowed_rms = 0;      ///< rms error of the listed chain that rounding to these resolutions explains
+  double allowed_largest = 0;  ///< likewise the largest error
   std::size_t compared = 0;    ///< cycles that count
   std::size_t lost = 0;
-  /// Every reading that the recording does not rule out, best first: whose largest and rms deviation are what rounding both
-  /// columns makes behind it, and whose rms is about that of the best. Of the same those that compute too similar numbers in
-  /// this motion.
+  /// Every reading that the recording does not rule out, best first: rounding of both columns explains its
+  /// largest and rms deviation, and its rms is close to that of the best. If the listed chain fits, too: the
+  /// readings that this motion cannot tell apart from it.
   std::vector<Explained> fitting{};
   std::optional<Explained> next{};  ///< the best of those that are ruled out
 };
 
-/// Only a single explanation may be believed: see `fitting`. Lags of up to 10 whole cycles, and fractions of a cycle
-/// for the listed chain, are found. `all`: of readings(), the listed one first.
+/// Only a single explanation may be believed: see `fitting`. Lags of up to 10 whole cycles, and fractions of
+/// a cycle for the listed chain, are found. `all`: of readings(), the listed one first.
 [[nodiscard]] Comparison compare(Recording const& recording, std::vector<Reading> const& all);
 
 }  // namespace axisc::comparison

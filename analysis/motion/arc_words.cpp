@@ -39,7 +39,7 @@ double distance(Place a, Place b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-/// The centre at a distance from both ends, on the left of the way from one to the other or on its right.
+/// The centre at a distance from both ends, to the left or right of the way from one to the other.
 Place center_beside(Place begin, Place end, double radius, bool left) {
   double const chord = distance(begin, end);
   double const height = std::sqrt(std::max(0.0, radius * radius - chord * chord / 4));
@@ -67,7 +67,7 @@ std::variant<Place, ArcMistake> center_of(ArcWords const& words, Place begin, Pl
   if (is_full) return center;
   double const apart = distance(center, end) - radius;
   if (std::abs(apart) > radius_tolerance) return ArcMistake::misses_end;
-  // On the bisector of both ends, as near as can be to what was written.
+  // On the bisector of both ends, as close as can be to the programmed centre.
   double const chord = distance(begin, end);
   Place const along{.x = (end.x - begin.x) / chord, .y = (end.y - begin.y) / chord};
   double const off =

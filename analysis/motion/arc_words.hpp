@@ -10,7 +10,7 @@
 
 namespace axisc::motion {
 
-/// What a block says of its circle; position units.
+/// A circle as a block gives it; position units.
 struct ArcWords {
   std::size_t first = 0, second = 1;  ///< axes of the plane
   bool clockwise = false;
@@ -24,14 +24,14 @@ enum class ArcMistake : std::uint8_t {
   both,            ///< I, J, K and R
   no_radius,       ///< the centre is the beginning
   too_small,       ///< twice the radius does not reach the end
-  full_by_radius,  ///< R says nothing of where a full circle lies
+  full_by_radius,  ///< R does not determine where a full circle lies
   misses_end,      ///< the end lies off the circle about the centre
 };
 
 [[nodiscard]] SentenceRef sentence_of(ArcMistake mistake);
 
-/// The end may miss the circle by so much, as rounded programs do: position units, 5 µm. The centre is then moved to where
-/// both are equally far away.
+/// The end may miss the circle by this much, as rounded programs do: position units, 5 µm. The centre is then
+/// moved to where both are equally far away.
 inline constexpr double radius_tolerance = 50;
 
 /// An end that is the beginning in the plane means a full circle.

@@ -6,10 +6,11 @@
 namespace axisc::motion {
 namespace {
 
-/// A ramp has settled when its answer grew by one unit per cycle, within this, for as long as a kernel may be.
+/// A ramp has settled when its answer grew by one unit per cycle, within this, for as long as a kernel may
+/// be.
 constexpr double settled_within = 1e-11;
 constexpr std::size_t settled_cycles = 256;
-/// Of one unit per cycle: less than a picometre at any feed.
+/// For a ramp of one unit per cycle: less than a picometre at any feed.
 constexpr double negligible = 1e-8;
 
 /// Answers of all axes, until the last of them follows.

@@ -1,7 +1,7 @@
-// How a setpoint chain answers a change of velocity: everything that a contour prediction needs to know of it.
+// How a setpoint chain answers a change of velocity: all that a contour prediction needs to know about it.
 //
-// The runtime executes a ramp  x[n] = max(0, n)  of one unit per cycle; its answer r[n] ends up D cycles behind. By
-// superposition an axis whose velocity changes from v0 to v1 units per cycle at n = 0 passes
+// The runtime executes a ramp  x[n] = max(0, n)  of one unit per cycle; its answer r[n] ends up D cycles
+// behind. By superposition an axis whose velocity changes from v0 to v1 units per cycle at n = 0 passes
 //     y[n] = v0 (n - D - r[n]) + v1 r[n].
 // What is left of the corner after the delay is  R(τ) = r[D + τ] - max(0, τ),  for a symmetric kernel
 //     R(0) = Σ_{k=1..h} k b_k,  R(τ) = 0 for |τ| ≥ h.
@@ -23,8 +23,8 @@ struct ChainAnswer {
       0;  ///< smallest distance in cycles from which on R(τ) is negligible; h for a symmetric kernel
   double corner = 0;  ///< R(0) in cycles
 
-  /// r at any time in cycles. Linear between two cycles, which is no approximation: the answer to a ramp that begins
-  /// between two cycles is  (1 - φ) r[n] + φ r[n-1].
+  /// r at any time in cycles. Linear between two cycles, which is not an approximation: the answer to a ramp
+  /// that begins between two cycles is  (1 - φ) r[n] + φ r[n-1].
   [[nodiscard]] double ramp_at(double cycles) const;
   /// R(τ).
   [[nodiscard]] double remainder(double tau) const;
@@ -38,11 +38,11 @@ struct NoAnswer {
       0;  ///< of the path: it does not follow a ramp, because its chain blocks the constant part
 };
 
-/// Of the answer r to the ramp, long enough to have settled; none where it does not follow the ramp.
+/// From the answer r to the ramp, long enough to have settled; none where it does not follow the ramp.
 [[nodiscard]] std::optional<ChainAnswer> chain_answer(std::vector<double> ramp);
 
-/// Executes the chains of all axes as they are switched now; afterwards every axis rests at 0. Cost: some hundred cycles
-/// for kernels, at most longest_answer cycles.
+/// Executes the chains of all axes as they are switched now; afterwards every axis rests at 0. Cost: some
+/// hundred cycles for kernels, at most longest_answer cycles.
 [[nodiscard]] std::variant<std::vector<ChainAnswer>, NoAnswer> chain_answers(GroupRuntime& runtime);
 
 inline constexpr std::size_t longest_answer = std::size_t{1} << 17U;

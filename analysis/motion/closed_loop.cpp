@@ -11,7 +11,7 @@ namespace {
 
 constexpr double units_per_m = 1e7;
 constexpr double um_per_m = 1e6;
-/// m/s²: what is left behind a motion and grows no further is no oscillation.
+/// m/s²: a smaller acceleration after a motion that does not grow is not an oscillation.
 constexpr double still = 0.005;
 
 /// Setpoints of the move, cycle by cycle.

@@ -1,5 +1,5 @@
-// An axis in its position loop: there, a rest, back, a rest. Setpoints pass the image's filters, measured velocities its
-// stages of Improved Position Control; both are executed by the runtime.
+// An axis in its position loop: there, a rest, back, a rest. Setpoints pass the image's filters, measured
+// velocities its stages of Improved Position Control; both are executed by the runtime.
 //
 //     v_set = Kv (x_set - x) + f x_set',   v = v_set + v_add
 #pragma once
@@ -42,25 +42,26 @@ struct LoopRecord {
   bool lost = false;  ///< ended early: the plant left every bound
 };
 
-/// Seconds that the axis rests behind each motion.
+/// Seconds that the axis rests after each motion.
 inline constexpr double rest_seconds = 1.5;
 
 /// `with_function`: the additive velocity acts; else it is only calculated. The runtime is reset first.
 [[nodiscard]] LoopRecord simulate_loop(image::RuntimeHost& runtime, AxisMove const& move,
                                        PlantParameters const& plant, bool with_function);
 
-/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by
-/// braking.
+/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the
+/// oscillation left by braking.
 [[nodiscard]] std::vector<double> load_accelerations(LoopRecord const& record, MovePhase phase, bool back);
 
-/// The oscillation outlives the motion: behind it the load's acceleration does not die down, or the plant was lost.
+/// The oscillation outlives the motion: the load's acceleration does not die down after it, or the plant was
+/// lost.
 [[nodiscard]] bool diverges(LoopRecord const& record, double cycle_seconds);
 
 /// Kv in 1/s beyond which no loop is tried.
 inline constexpr double kv_search_end = 1000;
 
-/// The largest Kv from 1 to kv_search_end at which the loop does not diverge, within 1 %; 0 where it diverges at 1 already.
-/// None where it does not diverge at the end of the search.
+/// The largest Kv from 1 to kv_search_end at which the loop does not diverge, within 1 %; 0 where it already
+/// diverges at 1. None where it does not diverge at the end of the search.
 [[nodiscard]] std::optional<double> highest_kv(image::RuntimeHost& runtime, AxisMove const& move,
                                                PlantParameters plant, bool with_function);
 

@@ -12,7 +12,8 @@ constexpr int halvings = 50;
 /// Between two steps a hump rises above them by less than this.
 constexpr double next_to_hump = 0.8;
 
-/// Radians per cycle within which a gain turns from one extreme to the next:  π over the length of the kernels.
+/// Radians per cycle within which a gain turns from one extreme to the next:  π over the length of the
+/// kernels.
 double finest_change(std::span<ChainAnswer const> answers) {
   double length = 1;
   for (auto const& answer : answers) {
@@ -68,7 +69,7 @@ void CircleVelocities::look_further() {
 std::optional<double> CircleVelocities::highest(double radius, double tolerance) {
   double const share = tolerance / radius;
   double const last = std::numbers::pi / step_;
-  // A hump is seen only from the step behind it.
+  // A hump is seen only from the step after it.
   while (highest_[highest_.size() - std::min<std::size_t>(2, highest_.size())] <= share &&
          static_cast<double>(highest_.size()) < last + 2) {
     look_further();

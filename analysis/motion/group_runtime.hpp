@@ -20,7 +20,8 @@ namespace axisc::motion {
 
 class GroupRuntime {
  public:
-  /// `image` is one that read_image() accepted; `axes` are its axes in the order of the path, at most most_axes.
+  /// `image` is one that read_image() accepted; `axes` are its axes in the order of the path, at most
+  /// most_axes.
   [[nodiscard]] static std::variant<GroupRuntime, axisrt_status> create(std::span<std::byte const> image,
                                                                         image::ImageContents const& contents,
                                                                         std::vector<std::size_t> axes);
@@ -29,7 +30,7 @@ class GroupRuntime {
 
   /// Every axis rests at `position`.
   [[nodiscard]] axisrt_status reset(Point const& position);
-  /// What #FILTER does to the channel; AXISRT_OK where it has no filter to switch.
+  /// Executes #FILTER for the channel; AXISRT_OK where it has no filter to switch.
   [[nodiscard]] axisrt_status command(machine::FilterCommand const& command);
   /// One NC cycle.
   [[nodiscard]] axisrt_status step(Point const& setpoint, Point& filtered);

@@ -8,17 +8,18 @@
 
 namespace axisc::motion {
 
-/// What the path is at a cycle, and where it passes a corner in between.
+/// Receives the setpoint of each cycle, and the corners that the path passes in between.
 class SampleSink {
  public:
   virtual ~SampleSink() = default;
-  /// So many more cycles are followed at most.
+  /// At most this many more cycles are followed.
   [[nodiscard]] virtual double room() const { return std::numeric_limits<double>::infinity(); }
-  /// A piece of a block would take longer than that: nothing of it is sampled.
+  /// A piece of a block would take longer than that: none of it is sampled.
   virtual void no_room(PathBlock const& /*block*/) {}
   /// A setpoint; `velocity` is the path's, in units per cycle.
   virtual void sample(Point const& setpoint, double velocity, PathBlock const& block) = 0;
-  /// The end of a block, which need not be on a cycle, and its duration in cycles. `next` is null where the path stops.
+  /// The end of a block, which need not be on a cycle, and its duration in cycles. `next` is null where the
+  /// path stops.
   virtual void corner(PathBlock const& block, PathBlock const* next, double block_cycles) = 0;
 
  protected:
@@ -27,8 +28,8 @@ class SampleSink {
   SampleSink& operator=(SampleSink const&) = default;
 };
 
-/// The path begins on a cycle whose setpoint has been given already. Where it stops, the first cycle behind the stop
-/// gives the end point.
+/// The path begins on a cycle whose setpoint has been given already. Where it stops, the first cycle after
+/// the stop gives the end point.
 class Interpolator final : public PathSink {
  public:
   explicit Interpolator(SampleSink& sink) : sink_(sink) {}
@@ -42,7 +43,7 @@ class Interpolator final : public PathSink {
   SampleSink& sink_;
   double to_sample_ = 1;     ///< cycles from the beginning of the next piece to the next sample
   double passed_ = 0;        ///< of the block, units
-  double velocity_ = 0;      ///< behind the last piece
+  double velocity_ = 0;      ///< after the last piece
   double block_cycles_ = 0;  ///< of the block so far
 };
 

@@ -56,7 +56,8 @@ void LookAhead::add(ProgrammedBlock const& block) {
   if (blocks_.size() >= full_) plan(false);
 }
 
-/// The velocity at which a circle keeps the tolerance, long after its beginning: what its beginning and end need is tried.
+/// The velocity at which a circle keeps the tolerance long after its beginning; its beginning and end are
+/// tried.
 double LookAhead::tolerated(Arc const& arc) {
   return monitor_.active() ? monitor_.velocity_on(arc.curvature_radius()) : unlimited;
 }
@@ -67,7 +68,7 @@ void LookAhead::stop() {
   forget();
 }
 
-/// The path rests, and nothing before counts any more.
+/// The path rests, and nothing before it counts any more.
 void LookAhead::forget() {
   velocity_ = 0;
   corners_.clear();
@@ -96,7 +97,7 @@ Corner LookAhead::corner_between(PathBlock const* before, PathBlock const* after
   return corner;
 }
 
-/// Corners of blocks that were in the window already keep what is known of them.
+/// Corners of blocks that were in the window already keep what is known about them.
 void LookAhead::collect_corners() {
   if (has_end_corner_) corners_.pop_back();
   has_end_corner_ = false;
@@ -262,7 +263,7 @@ bool LookAhead::is_too_long() const {
   return !(path_.back().end() - time_ <= sink_.room() + 2);
 }
 
-/// Plans until the tolerance is kept. False where that does not come about.
+/// Plans until the tolerance is kept. False where it cannot be.
 bool LookAhead::keep_tolerance() {
   for (int round = 0; feasible_; ++round) {
     time_plan();
@@ -347,7 +348,8 @@ void LookAhead::drive_kept_plan() {
   forget();
 }
 
-/// What the next plan has to look back at: times count from the last whole cycle, places from the window.
+/// Keeps the part of the path that the next plan looks back at: times count from the last whole cycle, places
+/// from the window.
 void LookAhead::remember(std::size_t count) {
   std::size_t pieces = passed_pieces_;
   for (auto const& stretch : stretches_) {

@@ -1,12 +1,14 @@
-// Path planning with a trapezoidal velocity: blocks go in, pieces of constant acceleration and velocity limit come out.
+// Path planning with a trapezoidal velocity: blocks go in, pieces of constant acceleration and velocity limit
+// come out.
 //
-// The planner holds a window of blocks within which the path can always stop: velocities are chosen backwards from rest at
-// its end,  v_k² ≤ v_{k+1}² + 2 a L,  and forwards from the velocity that was reached. Of a full window the first half is
-// handed on.
+// The planner holds a window of blocks within which the path can always stop: velocities are chosen backwards
+// from rest at its end,  v_k² ≤ v_{k+1}² + 2 a L,  and forwards from the velocity that was reached. When the
+// window is full, its first half is handed on.
 //
-// With tolerance monitoring a plan is changed until it keeps the tolerance, the stop at its end included. Handed on is what no
-// later plan touches: blocks that end so long before the stop that neither its ramp nor a kernel reaches them. Should no
-// longer plan keep the tolerance for them, the last one that did is driven to its end, where the path stops.
+// With tolerance monitoring a plan is changed until it keeps the tolerance, the stop at its end included.
+// Only blocks that no later plan touches are handed on: those that end so long before the stop that neither
+// its ramp nor a kernel reaches them. If no longer plan keeps the tolerance for them, the last one that did
+// is driven to its end, where the path stops.
 #pragma once
 
 #include "analysis/motion/path_block.hpp"
@@ -25,11 +27,12 @@ class PathSink {
  public:
   virtual ~PathSink() = default;
   virtual void piece(PathBlock const& block, PathPiece const& piece) = 0;
-  /// Behind the last piece of a block. `next` is null where the path stops.
+  /// After the last piece of a block. `next` is null where the path stops.
   virtual void block_end(PathBlock const& block, PathBlock const* next) = 0;
   /// The path rests at the end of a block where it stopped.
   virtual void rest(PathBlock const& block, std::uint64_t cycles) = 0;
-  /// So many more cycles are followed at most: a plan that takes longer is handed on without keeping the tolerance.
+  /// At most this many more cycles are followed: a plan that takes longer is handed on without keeping the
+  /// tolerance.
   [[nodiscard]] virtual double room() const = 0;
 
  protected:
@@ -44,11 +47,12 @@ class LookAhead {
   LookAhead(PathLimits limits, bool constant_velocity, PathSink& sink, std::size_t window = full_window)
       : limits_(std::move(limits)), constant_velocity_(constant_velocity), sink_(sink), window_(window) {}
 
-  /// For the blocks to come; the path stands. `monitor` may refer to answers that live as long as it is used.
+  /// Applies to later blocks; the path is at rest. `monitor` may refer to answers that live as long as it is
+  /// used.
   void begin(Point const& position, ToleranceMonitor monitor, double acceleration_factor);
   /// A block of length 0 is left out.
   void add(ProgrammedBlock const& block);
-  /// The path stops behind the last block.
+  /// The path stops after the last block.
   void stop();
 
   static constexpr std::size_t full_window = 2048;  ///< blocks
@@ -86,7 +90,7 @@ class LookAhead {
   std::size_t full_ = 0;  ///< blocks with which the next plan is made
   ToleranceMonitor monitor_;
   double acceleration_factor_ = 1;
-  Point position_{};  ///< behind the last block
+  Point position_{};  ///< after the last block
   std::uint64_t next_index_ = 1;
   std::deque<PathBlock> blocks_;
   PathBlock last_block_;  ///< the one before the window

@@ -16,7 +16,7 @@ enum class Slope : std::uint8_t {
   sine_squared,  ///< a_max sin²: twice as long for the same change of velocity
 };
 
-/// What one block of a program asks for.
+/// One block of a program.
 struct ProgrammedBlock {
   Point end{};                                            ///< position units
   double feed = std::numeric_limits<double>::infinity();  ///< units per cycle; infinite for G00
@@ -26,7 +26,7 @@ struct ProgrammedBlock {
   std::string label;               ///< "N040"; empty for a block without number
 };
 
-/// The same with what the axes allow.
+/// A programmed block with the limits of the axes.
 struct PathBlock {
   Segment path;
   Point end{};
@@ -56,16 +56,18 @@ class PathLimits {
   explicit PathLimits(std::vector<AxisLimits> axes) : axes_(std::move(axes)) {}
 
   [[nodiscard]] std::size_t axis_count() const { return axes_.size(); }
-  /// Largest velocity, and acceleration, in a direction at which no axis exceeds its own:  min limit_i / |u_i|.
+  /// Largest velocity, and acceleration, in a direction at which no axis exceeds its own:  min limit_i /
+  /// |u_i|.
   [[nodiscard]] double velocity(Point const& direction) const;
   [[nodiscard]] double acceleration(Point const& direction) const;
-  /// Largest velocity, and acceleration, on an arc, whichever way it points: no axis of its plane accelerates along and
-  /// across the path together by more than the weaker one can, of which the way across takes at most 1/√2:
+  /// Largest velocity, and acceleration, on an arc, whichever way it points: no axis of its plane accelerates
+  /// along and across the path together by more than the weaker one can, of which the way across takes at
+  /// most 1/√2:
   ///     v² ≤ a ρ / √2,  a_t² = a² - (v² / ρ)².
   [[nodiscard]] double velocity(Segment const& arc) const;
   [[nodiscard]] double acceleration(Segment const& arc, double velocity) const;
-  /// Largest path velocity through a corner where the direction changes by `turn`. The velocity of no axis may change by
-  /// more, from one cycle to the next, than
+  /// Largest path velocity through a corner where the direction changes by `turn`. The velocity of no axis
+  /// may change by more, from one cycle to the next, than
   ///     Δv_i = a_max,i T (1 + w_i f),
   /// w_i P-AXIS-00013 as a share, f the factor ACC_FACT, which counts while the filter is on.
   [[nodiscard]] double corner(Point const& turn, double acceleration_factor) const;

@@ -1,4 +1,4 @@
-// What a program asks of the path, block by block.
+// Receives the path that a program describes, block by block.
 #pragma once
 
 #include "analysis/motion/path_block.hpp"
@@ -14,7 +14,7 @@ namespace axisc::motion {
 struct FilterChange {
   machine::FilterCommand command;
   std::optional<double> tolerance;  ///< AX_DEV in position units
-  std::string text;                 ///< as the program writes it, blanks and comments around it left out
+  std::string text;                 ///< as in the program, without blanks and comments around it
   std::uint32_t line = 0;
 };
 
@@ -23,8 +23,8 @@ class PathListener {
   virtual ~PathListener() = default;
   virtual void motion(ProgrammedBlock const& block) = 0;
   virtual void command(FilterChange const& change) = 0;
-  /// The path stops here, as `line` of the program says; it goes on when the filters have settled, and after so many cycles
-  /// at the earliest.
+  /// The path stops here, on `line` of the program; it continues when the filters have settled, and after
+  /// this many cycles at the earliest.
   virtual void stop(double /*cycles*/, std::uint32_t /*line*/) {}
   virtual void end() = 0;
 

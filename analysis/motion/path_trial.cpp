@@ -11,6 +11,11 @@ namespace {
 /// The chains do the same within this, cycles.
 constexpr double same_answer = 1e-9;
 constexpr std::int64_t cycles_per_call = 1024;
+/// Shares of a tolerance: the error between two points is not looked at below the first one; an error halfway
+/// that is within the second one of a straight line counts as on it.
+constexpr double near_tolerance = 0.9;
+constexpr double straight_within = 0.002;
+constexpr int most_halvings = 6;
 
 bool same(ChainAnswer const& a, ChainAnswer const& b) {
   return a.delay == b.delay && std::equal(a.ramp.begin(), a.ramp.end(), b.ramp.begin(), b.ramp.end(),
@@ -24,6 +29,13 @@ struct Walk {
   std::size_t piece = 0;
   std::size_t corner = 0;
 
+  /// Begins at the last corner before this place.
+  void begin_at(double place) {
+    auto const next =
+        std::lower_bound(corners.begin(), corners.end(), place,
+                         [](TriedCorner const& each, double wanted) { return each.place < wanted; });
+    corner = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, next - corners.begin())) - 1;
+  }
   /// Nearest corner along the path.
   std::size_t nearest(double place) {
     while (corner + 1 < corners.size() && place - corners[corner].place > corners[corner + 1].place - place) {
@@ -54,6 +66,9 @@ PathTrial::PathTrial(GroupRuntime& runtime, std::span<ChainAnswer const> answers
 
 void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> corners, TrialSpan const& span) {
   corners_ = corners;
+  pending_.clear();
+  proves_ = span.proves;
+  before_.reset();
   double const oldest = std::max(path.front().start, span.from - cycles_before());
   double const first = std::ceil(oldest - span.phase - same_time) + span.phase;
   double const last = span.to + cycles_after() + 1;
@@ -62,13 +77,15 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
                                       [](double t, TimedPiece const& piece) { return t < piece.start; });
   walk.piece = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, later - path.begin())) - 1;
   ContourPoint point;
+  Looked looked;
   double place = 0;
   auto const go_to = [&](double time) {
     point = {};
     if (walk.ended()) {
       auto const& end = path.back();
       point.nominal = end.at(end.length);
-      place = end.place + end.length;
+      looked = {.piece = &end, .way = end.length};
+      place = looked.place();
       return;
     }
     auto const& piece = path[walk.piece];
@@ -76,7 +93,13 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
     double const way = piece.profile.way_at(within);
     point.nominal = piece.at(way);
     point.velocity = piece.profile.velocity_at(within);
-    place = piece.place + way;
+    looked = {.piece = &piece, .way = way};
+    place = looked.place();
+  };
+  auto const look_at = [&] {
+    point.block = walk.nearest(place);
+    pending_.push_back(looked);
+    meter_.corner(point);
   };
   auto const is_wanted = [&](double time) {
     return time >= span.from - same_time && time <= span.to + same_time;
@@ -86,10 +109,9 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
   auto const look_between = [&](double time) {
     double const middle = (seen + time) / 2;
     seen = time;
-    if (!span.looks_between || !is_wanted(middle)) return;
+    if (!span.proves || !is_wanted(middle)) return;
     go_to(middle);
-    point.block = walk.nearest(place);
-    meter_.corner(point);
+    look_at();
   };
   auto const pass_ends = [&](double time) {
     for (; !walk.ended() && path[walk.piece].end() <= time + same_time; ++walk.piece) {
@@ -99,10 +121,12 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
       ContourPoint corner;
       corner.nominal = piece.at(piece.length);
       corner.block = walk.nearest(piece.place + piece.length);
+      pending_.push_back({.piece = &piece, .way = piece.length});
       meter_.corner(corner);
     }
   };
   go_to(first);
+  walk.begin_at(place);
   static_cast<void>(runtime_->reset(point.nominal));
   meter_.begin(answers_, point.nominal);
   time_of_first_ = first - static_cast<double>(meter_.cycles() - 1);
@@ -114,10 +138,9 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
     if (working_ && n % cycles_per_call == 0) working_();
     pass_ends(half);
     look_between(half);
-    if (span.looks_between && is_wanted(half)) {
+    if (span.proves && is_wanted(half)) {
       go_to(half);
-      point.block = walk.nearest(place);
-      meter_.corner(point);
+      look_at();
     }
     pass_ends(cycle);
     look_between(cycle);
@@ -134,6 +157,7 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
     } else if (corner.whole) {
       corner.far_fastest = std::max(corner.far_fastest, point.velocity);
     }
+    pending_.push_back(looked);
     meter_.cycle(point, filtered);
   }
   meter_.finish();
@@ -144,11 +168,41 @@ bool PathTrial::is_near(TriedCorner const& corner, double time) const {
 }
 
 void PathTrial::measured(MeasuredPoint const& point) {
+  Looked const now = pending_.front();
+  pending_.pop_front();
+  double const error = take(point);
+  if (proves_ && before_) {
+    // A corner before it is where its block begins.
+    double const begin = now.piece->place - now.piece->from;
+    Sample const a{.along = std::max(0.0, before_->place() - begin), .error = error_before_};
+    Sample const b{.along = now.piece->from + now.way, .error = error};
+    look_between(point, now.piece->path, a, b, most_halvings);
+  }
+  before_ = now;
+  error_before_ = error;
+}
+
+/// Where the nearest point of the filtered path jumps from one side of a corner to the other, the error has
+/// an edge.
+void PathTrial::look_between(MeasuredPoint const& point, Segment const& block, Sample const& a,
+                             Sample const& b, int halvings) {
+  if (halvings == 0 || std::max(a.error, b.error) < near_tolerance * *proves_ || !(a.along < b.along)) return;
+  Sample middle{.along = (a.along + b.along) / 2};
+  ContourPoint between = point.point;
+  between.nominal = block.at(middle.along);
+  middle.error = take(meter_.look(between));
+  if (std::abs(middle.error - (a.error + b.error) / 2) <= straight_within * *proves_) return;
+  look_between(point, block, a, middle, halvings - 1);
+  look_between(point, block, middle, b, halvings - 1);
+}
+
+/// Counts a point to its corner.
+double PathTrial::take(MeasuredPoint const& point) {
   auto const at = point.point.block;
   double const error = *std::max_element(point.axis_error.begin(), point.axis_error.end());
   double const time = time_of_first_ + static_cast<double>(point.point.cycle);
   auto* corner = &corners_[at];
-  // A neighbour whose kernels reach further bends what is beyond this corner's.
+  // A neighbour whose kernels reach further bends the path beyond this corner's.
   if (corner->whole && !is_near(*corner, time)) {
     if (at > 0 && is_near(corners_[at - 1], time)) {
       corner = &corners_[at - 1];
@@ -156,10 +210,11 @@ void PathTrial::measured(MeasuredPoint const& point) {
       corner = &corners_[at + 1];
     } else {
       corner->far_error = std::max(corner->far_error, error);
-      return;
+      return error;
     }
   }
   corner->error = std::max(corner->error, error);
+  return error;
 }
 
 }  // namespace axisc::motion

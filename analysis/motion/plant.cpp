@@ -58,7 +58,7 @@ Plant::State Plant::substep(State const& state, double velocity) const {
   return next;
 }
 
-/// The columns are what unit states and unit commands lead to.
+/// The columns are the results of unit states and unit commands.
 Plant::CycleMap Plant::cycle_map(std::size_t substeps_before) const {
   auto const cycle = [&](State state, double before, double behind) {
     for (std::size_t n = 0; n < substeps_; ++n) state = substep(state, n < substeps_before ? before : behind);

@@ -1,5 +1,5 @@
-// Drive and mechanics of an axis with rack and pinion: motor and load as two masses with the drive train's spring between
-// them, and a structure (column, cross-beam) that swings on the load.
+// Drive and mechanics of an axis with rack and pinion: motor and load as two masses with the drive train's
+// spring between them, and a structure (column, cross-beam) that swings on the load.
 //
 //     m_M x_M'' = F - F_c
 //     m_L x_L'' = F_c + F_S
@@ -7,8 +7,8 @@
 //     F_c = c (x_M - x_L + δ) + d (x_M' - x_L'),  δ = A sin(2π x_M / p)   (the teeth)
 //     F_S = c_S (x_S - x_L) + d_S (x_S' - x_L')
 //     F   = K_p (v - x_M') + K_i ∫ (v - x_M') dt                          (the drive's velocity loop)
-// v is the commanded velocity, the drive's dead time later. Everything in SI units; rotary parts count with the mass that
-// they have at the pinion.
+// v is the commanded velocity, the drive's dead time later. Everything in SI units; rotary parts count with
+// the mass that they have at the pinion.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct PlantParameters {
   PositionFeedback feedback = PositionFeedback::direct;
 };
 
-/// What can be measured, in m, m/s and m/s².
+/// The motion that can be measured, in m, m/s and m/s².
 struct PlantMotion {
   double motor_position = 0, motor_velocity = 0;
   double load_position = 0, load_velocity = 0, load_acceleration = 0;
@@ -49,7 +49,8 @@ class Plant {
   /// At rest at 0. `cycle` in s: commands come once per cycle.
   Plant(PlantParameters const& parameters, double cycle);
 
-  /// One NC cycle with this commanded velocity. Without teeth the plant is linear, and a cycle costs one product with a matrix.
+  /// One NC cycle with this commanded velocity. Without teeth the plant is linear, and a cycle costs one
+  /// product with a matrix.
   void step(double velocity);
   [[nodiscard]] PlantMotion motion() const;
   /// Positions beyond any machine: the loop has become unstable.
@@ -58,11 +59,10 @@ class Plant {
  private:
   static constexpr std::size_t states = 7;  ///< x_M, v_M, x_L, v_L, x_S, v_S, ∫
   using State = std::array<double, states>;
-  /// What a cycle makes of the state and of the two commands that reach the drive within it.
+  /// A cycle as a linear map of the state and of the two commands that reach the drive within it.
   struct CycleMap {
     std::array<State, states> columns{};
-    State before{},
-        behind{};  ///< the dead time ends within the cycle: commands before and behind this moment
+    State before{}, behind{};  ///< the dead time ends within the cycle: commands before and after this moment
   };
   [[nodiscard]] State derivative(State const& state, double velocity) const;
   [[nodiscard]] State substep(State const& state, double velocity) const;

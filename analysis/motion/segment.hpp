@@ -35,7 +35,7 @@ class Segment {
 
   [[nodiscard]] Arc const* arc() const { return arc_.get(); }
   [[nodiscard]] Point const& begin() const { return begin_; }
-  /// So far along the path.
+  /// The point this far along the path.
   [[nodiscard]] Point at(double way) const {
     Point point = plus(begin_, way, direction_);
     if (!arc_) return point;

@@ -96,7 +96,7 @@ void Simulation::stop(double cycles, std::uint32_t line) {
   rest(cycles, line);
 }
 
-/// The path stops until the filters have settled, and for so long at least.
+/// The path stops until the filters have settled, and at least this long.
 void Simulation::rest(double cycles, std::uint32_t line) {
   look_ahead_.stop();
   if (failure_) return;

@@ -1,7 +1,7 @@
-// A program's path through planner, interpolator and runtime, with what the filters do to it.
+// A program's path through planner, interpolator and runtime, and the effect of the filters on it.
 //
-// A #FILTER command acts while the axes stand: the path stops, the filters settle, the command is executed. Blocks between
-// two commands are a pass.
+// A #FILTER command acts while the axes are at rest: the path stops, the filters settle, the command is
+// executed. The blocks between two commands are a pass.
 #pragma once
 
 #include "analysis/motion/contour/contour_meter.hpp"
@@ -21,7 +21,7 @@
 
 namespace axisc::motion {
 
-/// What happened on a block, or in a pass. Errors are position units.
+/// The figures of a block, or of a pass. Errors are position units.
 struct PathSummary {
   double cycles = 0;  ///< duration; of a pass until its filters have settled
   Point axis_error{};
@@ -40,10 +40,10 @@ struct BlockSummary : PathSummary {
 };
 
 struct PassSummary : PathSummary {
-  std::string command;     ///< as the program writes it; empty: as at start-up
+  std::string command;     ///< as in the program; empty: as at start-up
   std::uint32_t line = 0;  ///< of the command
   std::uint64_t blocks = 0;
-  std::optional<double> tolerance;  ///< that is monitored (AX_DEV), position units
+  std::optional<double> tolerance;  ///< to be monitored (AX_DEV), position units
 
   [[nodiscard]] bool keeps_tolerance() const { return !tolerance || largest_axis_error() <= *tolerance; }
 };
@@ -51,8 +51,8 @@ struct PassSummary : PathSummary {
 class SimulationListener {
  public:
   virtual ~SimulationListener() = default;
-  /// A setpoint, every one in the order of cycles; `block` is the one it lies on, without name and line where a pass has
-  /// none yet.
+  /// A setpoint, every one in the order of cycles; `block` is the one it lies on, without name and line where
+  /// a pass has none yet.
   virtual void cycle(MeasuredPoint const& point, BlockSummary const& block) = 0;
   virtual void block(BlockSummary const& summary) = 0;
   virtual void pass(PassSummary const& summary) = 0;
@@ -66,7 +66,7 @@ class SimulationListener {
 /// Why a simulation ended early.
 struct SimulationFailure {
   axisrt_status status = AXISRT_OK;           ///< of a step or command
-  std::string command;                        ///< that the runtime refused
+  std::string command;                        ///< refused by the runtime
   std::optional<std::size_t> blocking_axis;   ///< whose filters block the constant part
   std::optional<std::uint32_t> endless_line;  ///< of the block or dwell that exceeds the cycles of the limits
 };
@@ -78,13 +78,13 @@ struct SimulationLimits {
 
 class Simulation final : public PathListener, private SampleSink, private MeasuredSink {
  public:
-  /// `probe` is a second runtime of the same image: on it the chains are learnt and corners are tried.
+  /// `probe` is a second runtime of the same image, used to learn the chains and to try corners.
   Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path, bool constant_velocity,
              SimulationListener& listener, SimulationLimits limits = {});
 
   void motion(ProgrammedBlock const& block) override;
   void command(FilterChange const& change) override;
-  /// The path stops; it goes on when the filters have settled and the dwell is over.
+  /// The path stops; it continues when the filters have settled and the dwell is over.
   void stop(double cycles, std::uint32_t line) override;
   /// The end of the program; nothing may follow.
   void end() override;

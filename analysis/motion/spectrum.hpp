@@ -10,11 +10,11 @@ struct Oscillation {
   double amplitude = 0;  ///< in the record's unit
 };
 
-/// Amplitude of the sine of one frequency:  2 |Σ w x e^(-jωn)| / Σ w  with a Hann window w, the mean taken off. Of a
-/// decaying one it is about that in the middle of the record.
+/// Amplitude of the sine of one frequency:  2 |Σ w x e^(-jωn)| / Σ w  with a Hann window w, the mean taken
+/// off. For a decaying oscillation, about the amplitude in the middle of the record.
 [[nodiscard]] double amplitude_at(std::span<double const> record, double cycle_seconds, double frequency);
 
-/// The largest one between two frequencies, on a grid of 0.1 Hz.
+/// The largest oscillation between two frequencies, on a grid of 0.1 Hz.
 [[nodiscard]] Oscillation dominant_oscillation(std::span<double const> record, double cycle_seconds,
                                                double lowest, double highest);
 

@@ -1,5 +1,7 @@
 #include "analysis/motion/tolerance.hpp"
 
+#include "analysis/motion/searched_spans.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,9 +11,9 @@ namespace axisc::motion {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// So often the path ahead is slowed down for a corner behind the machine.
+/// How often the path ahead is slowed down for a corner that the machine has passed.
 constexpr int most_tries_behind = 20;
-/// And so often for any.
+/// How often it is slowed down for any corner.
 constexpr int most_tries = 40;
 constexpr int patient_rounds = 60;
 constexpr std::size_t proved_together = 16;
@@ -85,12 +87,12 @@ ToleranceMonitor::ToleranceMonitor(GroupRuntime& probe, std::vector<ChainAnswer>
 }
 
 double ToleranceMonitor::velocity_on(double radius) {
-  // Quarters of a turn per cycle are no circle any more.
+  // Quarters of a turn per cycle are not a circle any more.
   double const highest = circles_->highest(radius, largest_found * tolerance_).value_or(radius);
   return std::clamp(highest, floor_, std::max(floor_, radius));
 }
 
-/// The surroundings of each cell as a number: another one where the path is passed otherwise.
+/// The surroundings of each cell as a number, which changes when the path is passed differently.
 void ToleranceMonitor::sign(TriedPath const& path, std::span<Corner const> corners) {
   auto const pieces = path.pieces;
   sums_.assign(1, 0);
@@ -113,7 +115,7 @@ void ToleranceMonitor::sign(TriedPath const& path, std::span<Corner const> corne
   }
 }
 
-/// Tries what is new.
+/// Tries cells whose surroundings are new.
 void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners, Trial trial) {
   tried_.clear();
   wanted_.assign(cells_.size(), 0);
@@ -155,11 +157,17 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
     // A corner bends most where it lies on a cycle: found so, its velocity holds for any time.
     bool const is_slowed = corners[cells_[i]].at.limits();
     bool const aligns = trial == Trial::search && is_slowed;
-    trial_->run(path.pieces, tried_,
-                {.from = first,
-                 .to = last,
-                 .phase = aligns ? phase_of(tried_[i].time) : 0,
-                 .looks_between = trial == Trial::proof});
+    TrialSpan const span{.from = first,
+                         .to = last,
+                         .phase = aligns ? phase_of(tried_[i].time) : 0,
+                         .proves = trial == Trial::proof ? std::optional(tolerance_) : std::nullopt};
+    if (trial == Trial::proof) {
+      trial_->run(path.pieces, tried_, span);
+    } else {
+      for (auto const& part : searched_spans(path.pieces, span, cycles_before(), cycles_after())) {
+        trial_->run(path.pieces, tried_, part);
+      }
+    }
     bool const exceeds =
         std::any_of(tried_.begin() + static_cast<std::ptrdiff_t>(i),
                     tried_.begin() + static_cast<std::ptrdiff_t>(next), [&](TriedCorner const& cell) {
@@ -186,13 +194,14 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
   }
 }
 
-/// What nothing slows down need not leave room.
+/// Only where a search limits the velocity does the error need a margin.
 bool ToleranceMonitor::exceeds(VelocitySearch const& search, double limit) const {
   return search.error > (search.limits() ? limit : largest_share) * tolerance_;
 }
 
 bool ToleranceMonitor::lower(Corner& corner, double limit) const {
-  // On an arc the error grows with the square of the velocity, on a line that axes leave with the velocity itself.
+  // On an arc the error grows with the square of the velocity, on a line that axes leave with the velocity
+  // itself.
   double const power = trial_->alike() ? 2 : 1;
   bool changes = false;
   bool is_far = exceeds(corner.around, limit);
@@ -248,7 +257,7 @@ ToleranceMonitor::Change ToleranceMonitor::adjust(std::span<Corner> corners, dou
     auto const& corner = corners[cells_[i]];
     if (exceeds(corner.at, limit) || exceeds(corner.around, limit)) exceeding.push_back(i);
   }
-  // Beside a corner that is worse, its plateau may do.
+  // Next to a worse corner, that corner's plateau may suffice.
   auto const others = std::stable_partition(exceeding.begin(), exceeding.end(), [&](std::size_t i) {
     auto const& corner = corners[cells_[i]];
     return exceeds(corner.around, limit) || corner.at.error >= beside_worse * largest_around(corners, i);
@@ -279,7 +288,7 @@ ToleranceMonitor::Verdict ToleranceMonitor::judge(TriedPath const& path, std::sp
   if (path.pieces.empty() || cells_.empty()) return Verdict::keeps;
   if (round == 0) proving_ = false;
   sign(path, corners);
-  // First what is passed otherwise; where that holds, everything as the machine will pass it.
+  // First only the cells that are passed differently; if they hold, everything as the machine will pass it.
   measure(path, corners, Trial::search);
   bool const refines = round <= refining_rounds && !proving_;
   auto change = adjust(corners, proving_ ? largest_share : largest_found, refines);

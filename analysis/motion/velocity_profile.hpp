@@ -2,7 +2,8 @@
 //
 //     t1 = |v - v_in| / a,  t3 = |v - v_out| / a,  t2 = (L - s1 - s3) / v
 //
-// a is the mean acceleration of a ramp. With sin² it is half of the largest one, and a share τ of the ramp's time t gives
+// a is the mean acceleration of a ramp. With sin² it is half of the largest one, and a share τ of the ramp's
+// time t gives
 //     v = v_in + Δv (τ - sin(2πτ) / 2π),  s = v_in τ t + Δv t (τ² / 2 + (cos(2πτ) - 1) / 4π²)
 #pragma once
 
@@ -37,13 +38,16 @@ class VelocityProfile {
     s1_ = (v0_ + v_) / 2 * t1_;
     double const s3 = (v_ + v1) / 2 * t3_;
     double const s2 = std::max(0.0, length_ - s1_ - s3);
-    // Infinite where the path stands.
+    // Infinite where the path is at rest.
     t2_ = s2 > 0 ? s2 / v_ : 0;
   }
 
   /// Cycles.
   [[nodiscard]] double duration() const { return t1_ + t2_ + t3_; }
-  /// So many cycles after its beginning.
+  /// Between these times the velocity stays the same.
+  [[nodiscard]] double steady_from() const { return t1_; }
+  [[nodiscard]] double steady_to() const { return t1_ + t2_; }
+  /// At this many cycles after its beginning.
   [[nodiscard]] double velocity_at(double t) const {
     if (t < t1_) return v0_ + (v_ > v0_ ? a_ : -a_) * t1_ * gained(t / t1_);
     if (t <= t1_ + t2_) return v_;

@@ -7,7 +7,7 @@ namespace axisc::motion {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// A smaller power of the velocity says that something else makes the error.
+/// A smaller power of the velocity shows that something else causes the error.
 constexpr double least_growth = 0.3;
 constexpr double most_growth = 3;
 

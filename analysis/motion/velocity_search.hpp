@@ -1,16 +1,19 @@
-// How fast a place of a path may be passed so that it keeps the tolerance: found by trial, because neighbours take part.
+// How fast a place of a path may be passed so that it keeps the tolerance: found by trial, because neighbours
+// take part.
 //
-// A velocity that exceeds the tolerance is lowered by the power with which the last two trials' errors grew with it, one that
-// stays too far below is raised, until `most_raises`; from then on it is only lowered, each time a little harder.
+// A velocity that exceeds the tolerance is lowered by the power with which the last two trials' errors grew
+// with it, one that stays too far below is raised, until `most_raises`; from then on it is only lowered, each
+// time a little harder.
 #pragma once
 
 #include <limits>
 
 namespace axisc::motion {
 
-/// Shares of the tolerance. Errors above the first are too large; between the points that are looked at they may still be a
-/// little larger. A velocity is found where it leaves errors between the next two, so that a few more or less do no harm
-/// when the path passes a place at another time in its cycle. The last one is aimed at.
+/// Shares of the tolerance. Errors above the first are too large; between the points that are looked at they
+/// may still be a little larger. A velocity is found where it leaves errors between the next two, so that a
+/// few more or less do no harm when the path passes a place at another time in its cycle. The last one is the
+/// target.
 inline constexpr double largest_share = 0.997;
 inline constexpr double largest_found = 0.989;
 inline constexpr double smallest_found = 0.975;
@@ -35,13 +38,13 @@ struct VelocitySearch {
   [[nodiscard]] bool limits() const { return velocity != std::numeric_limits<double>::infinity(); }
   /// The result of a trial.
   void take(double found, double fastest_there);
-  /// The error did not fall with the velocity: something else makes it.
+  /// The error did not fall with the velocity: something else causes it.
   [[nodiscard]] bool is_vain() const;
-  /// Below a velocity it need not go. `power` of the velocity with which the error grows, as long as no two trials say.
-  /// False where it is as low already.
+  /// Below a velocity it need not go. `power` of the velocity with which the error grows, until two trials
+  /// show it. False where it is already that low.
   bool lower(double tolerance, double floor, double power);
-  /// The trial exceeded nothing, and this velocity slowed the path down more than it must. False where no more is to be
-  /// gained.
+  /// The trial exceeded nothing, and this velocity slowed the path down more than it must. False where there
+  /// is nothing more to gain.
   bool raise(double tolerance);
 
  private:

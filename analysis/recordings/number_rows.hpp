@@ -1,12 +1,14 @@
-// Numbers in columns as scopes and measuring programs write them: the one reader of recordings and measurements.
+// Numbers in columns as scopes and measuring programs write them: the one reader of recordings and
+// measurements.
 //
 //   separators   tabs, semicolons or commas, whichever of them the first row of numbers has, in this order
-//   numbers      finite, unless the caller accepts others; with decimal points, or with decimal commas where commas do not separate. Which of them is decided by
-//                the whole column: one that has both is refused, so that thousands separators are not taken for decimals
-//   headers      lines before the first row of numbers; the last of them with as many fields names the columns, which are
-//                "1", "2", … without one
-//   left out     blank lines, blanks and quotation marks around a field, an empty field after the last separator of a
-//                line, a byte order mark
+//   numbers      finite, unless the caller accepts others; with decimal points, or with decimal commas
+//                where commas do not separate. The whole column decides: one that has both is refused, so
+//                that thousands separators are not taken for decimals
+//   headers      lines before the first row of numbers; the last of them with as many fields names the
+//                columns, which are "1", "2", … without one
+//   left out     blank lines, blanks and quotation marks around a field, an empty field after the last
+//                separator of a line, a byte order mark
 //   the end      of the text, or a line `EOF`
 //
 // TwinCAT Scope's export is such a text: header lines, a pair of time and value for each signal, `EOF`.
@@ -43,15 +45,15 @@ class NumberRows {
  public:
   enum class Step : std::uint8_t { row, end, bad };
 
-  /// Reads the headers and the first row; problem() says where there is none.
+  /// Reads the headers and the first row; problem() is set where there is none.
   explicit NumberRows(ByteSource source, Accepts accepts = Accepts::finite);
 
-  /// Of the columns, at least two, unless there is a problem.
+  /// Names of the columns, at least two unless there is a problem.
   [[nodiscard]] std::vector<std::string> const& names() const { return names_; }
   [[nodiscard]] bool is_named() const { return is_named_; }
   [[nodiscard]] std::uint64_t line() const { return lines_.number(); }  ///< of the last row
 
-  /// Columns that next() reads; the others may have any text. All without a call.
+  /// Restricts next() to these columns; the others may hold any text. Without a call, all are read.
   void read_only(std::vector<std::size_t> const& columns);
 
   /// A value for each column; those that are not read stay as they are.

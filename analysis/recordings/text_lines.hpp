@@ -10,10 +10,10 @@
 
 namespace axisc::recordings {
 
-/// Fills the buffer from its front and returns how many bytes there were; 0 at the end. May throw.
+/// Fills the buffer from its front and returns the number of bytes; 0 at the end. May throw.
 using ByteSource = std::function<std::size_t(std::span<char> buffer)>;
 
-/// Of bytes that outlive the source.
+/// A source of bytes that outlive it.
 [[nodiscard]] ByteSource source_of(std::string_view bytes);
 
 inline constexpr std::size_t longest_line = std::size_t{1} << 20U;
@@ -25,7 +25,8 @@ class TextLines {
 
   explicit TextLines(ByteSource source) : source_(std::move(source)) {}
 
-  /// The next line that is not blank; `line` is valid until the next call. After too_long nothing can be read.
+  /// The next line that is not blank; `line` is valid until the next call. After too_long nothing can be
+  /// read.
   [[nodiscard]] Step next(std::string_view& line);
   [[nodiscard]] std::uint64_t number() const { return number_; }  ///< of the last line, from 1
 

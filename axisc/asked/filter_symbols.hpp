@@ -22,7 +22,7 @@ namespace axisc {
 /// `filter[0]`, or `lr_param.add_interface.filter[0]`.
 [[nodiscard]] std::string filter_path(image::ImageFilter const& filter, bool interface);
 
-/// What the lists set for one filter, in the order of the lines.
+/// The values that the lists set for one filter, in the order of the lines.
 [[nodiscard]] std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis,
                                                          image::ImageFilter const& filter, bool interface);
 

@@ -11,8 +11,8 @@
 
 namespace axisc {
 
-/// A decimal number, correctly rounded, with an optional sign; "inf" and "nan" count as numbers. None if the text is
-/// anything else or beyond the range of double.
+/// A decimal number, correctly rounded, with an optional sign; "inf" and "nan" count as numbers. None if the
+/// text is anything else or beyond the range of double.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// A decimal number as parse_number() reads it, without "inf" and "nan".
@@ -24,8 +24,8 @@ namespace axisc {
 /// A decimal integer without sign.
 [[nodiscard]] std::optional<std::uint64_t> parse_count(std::string_view text);
 
-/// NC cycle time: "1ms", "250us", "250µs", "0.5ms", "125000ns", "0.001s", or a bare number of microseconds. None unless
-/// it is a whole number of nanoseconds from 1 ns to 1 s.
+/// NC cycle time: "1ms", "250us", "250µs", "0.5ms", "125000ns", "0.001s", or a bare number of microseconds.
+/// None unless it is a whole number of nanoseconds from 1 ns to 1 s.
 [[nodiscard]] std::optional<design::CycleTime> parse_cycle_time(std::string_view text);
 
 /// "a,b,c" without blanks around the parts; empty parts are left out.

@@ -1,12 +1,12 @@
 // A baseline: known and accepted findings, hidden so that only new ones are reported.
 //
-// A JSON file with one line per finding, sorted by file, axis, parameter and code, so that diffs are readable:
+// A JSON file with one line per finding, sorted by file, axis, parameter and code for readable diffs:
 //     {"version": 2, "findings": [
-//       {"file": "axes/x.lis", "code": "AX3005", "axis": "X", "parameter": "filter[0].time_constant", "occurrence": 1,
-//        "fingerprint": "…"}
+//       {"file": "axes/x.lis", "code": "AX3005", "axis": "X", "parameter": "filter[0].time_constant",
+//        "occurrence": 1, "fingerprint": "…"}
 //     ]}
-// An entry is identified by file, code, axis, parameter and occurrence; the fingerprint is only for text searches. The
-// file is named as in its repository: see identity_paths.hpp.
+// An entry is identified by file, code, axis, parameter and occurrence; the fingerprint is only for text
+// searches. The file is named as in its repository: see identity_paths.hpp.
 #pragma once
 
 #include "diagnostics/fingerprint.hpp"
@@ -33,7 +33,8 @@ class Baseline {
   /// Failure for a file that cannot be read or is not a baseline.
   [[nodiscard]] static Baseline read(std::string const& path);
 
-  /// A baseline of numbered findings. Findings about the run itself (AX9…) are left out: they do not concern a list.
+  /// A baseline of numbered findings. Findings about the run itself (AX9…) are left out: they do not concern
+  /// a list.
   void add(Identity const& identity, std::uint32_t occurrence);
   void remove(Identity const& identity, std::uint32_t occurrence);
 

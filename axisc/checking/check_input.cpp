@@ -51,7 +51,7 @@ CheckedInput check_input(CheckJob const& job, std::string const& path, configura
     checked.findings.push_back(std::move(finding));
   };
   static_cast<void>(judge_input(job, path, files, checked, take == nullptr ? keep : *take));
-  // Most lists have no finding: what waits for its turn need not keep their text.
+  // Most lists have no finding: results that wait for their turn need not keep the text of such lists.
   if (take == nullptr && checked.findings.empty()) checked.sources = {};
   return checked;
 }

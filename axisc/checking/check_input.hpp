@@ -28,14 +28,15 @@ struct JudgedInput {
   validator::CheckResult result;  ///< the rest
 };
 
-// The functions below may be called by several threads. They throw what must end the whole run.
+// The functions below may be called by several threads. They throw errors that end the whole run.
 
 /// Every wanted finding is passed to `take` as soon as it is known. `checked` receives the sources, the files
 /// and the failure.
 [[nodiscard]] JudgedInput judge_input(CheckJob const& job, std::string const& path,
                                       configuration::Files& files, CheckedInput& checked,
                                       TakeFinding const& take);
-/// For callers that need only the findings: `take` has them, or, where it is null, the result.
+/// For callers that need only the findings: they are passed to `take`, or, where it is null, part of the
+/// result.
 [[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path,
                                        configuration::Files& files, TakeFinding const* take);
 

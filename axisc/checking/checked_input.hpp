@@ -17,7 +17,7 @@ struct CheckedInput {
   SourceSet sources;               ///< that the findings point into
   std::deque<Finding> findings;    ///< in output order; without those that were taken at once
   FindingCounts elsewhere;         ///< in files of the machine that are not shown
-  std::vector<std::string> files;  ///< that were read, or of them those that are shown
+  std::vector<std::string> files;  ///< files that were read, or those of them that are shown
   std::optional<Failure> failure;  ///< then there is nothing else
 };
 

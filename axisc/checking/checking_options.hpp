@@ -1,4 +1,4 @@
-// What a user asks of a check, in words: options of the command line, settings of an editor.
+// The options of a check, as text: options of the command line, settings of an editor.
 #pragma once
 
 #include "diagnostics/writers/report_writer.hpp"
@@ -11,7 +11,7 @@
 
 namespace axisc {
 
-/// As the user writes them.
+/// As written by the user.
 struct CheckingOptions {
   std::optional<std::string> cycle_time;
   std::optional<std::string> axis_type;
@@ -29,13 +29,13 @@ struct CheckingOptions {
 /// `--cycle-time`. Failure for an invalid value.
 [[nodiscard]] std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word);
 
-/// Failure for a value that means nothing.
+/// Failure for an invalid value.
 [[nodiscard]] validator::CheckOptions check_options(CheckingOptions const& given);
 
 /// The value of -j; none without the option. Failure if it is not a positive number.
 [[nodiscard]] std::optional<unsigned> asked_threads(std::optional<std::string> const& threads);
-/// Threads for so many tasks: as many as `-j` asks for, otherwise one per processor. A single task needs one, without
-/// asking the system.
+/// Threads for so many tasks: as many as `-j` asks for, otherwise one per processor. A single task needs one,
+/// without asking the system.
 [[nodiscard]] unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks);
 
 /// True if the findings lead to exit status 1.

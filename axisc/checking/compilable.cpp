@@ -20,20 +20,18 @@ constexpr Sentence machine_cycle_time_missing{
     "--cycle-time 1ms angeben"};
 constexpr Sentence incomplete{
     "{file} describes no complete machine: a file that it names is missing, unreadable or of another kind, "
-    "or "
-    "it has mistakes itself (AX4020, AX7002, AX7009); correct that, whether these findings are shown or not",
+    "or it has mistakes itself (AX4020, AX7002, AX7009); correct that, whether these findings are shown or "
+    "not",
     "{file} beschreibt keine vollständige Maschine: eine genannte Datei fehlt, ist nicht lesbar oder von "
     "anderer Art, oder {file} hat selbst Fehler (AX4020, AX7002, AX7009); das beheben, ob diese Befunde "
-    "gezeigt "
-    "werden oder nicht"};
+    "gezeigt werden oder nicht"};
 constexpr Sentence hidden_errors{
     "{file} has errors, and nothing is compiled while there are errors, whether they are shown or not",
     "{file} hat Fehler, und solange es Fehler gibt, wird nichts kompiliert, ob sie gezeigt werden oder "
     "nicht"};
 constexpr Sentence no_axis{
     "{file} configures no axis, so there is nothing to compile; name the lists of its axes",
-    "{file} konfiguriert keine Achse, zu kompilieren ist also nichts; die Listen der Achsen "
-    "nennen"};
+    "{file} konfiguriert keine Achse, zu kompilieren ist also nichts; die Listen der Achsen nennen"};
 constexpr Sentence other_list{"{file} is not an axis list, so it configures no filter",
                               "{file} ist keine Achsliste und konfiguriert keinen Filter"};
 constexpr Sentence not_compiled{
@@ -65,7 +63,7 @@ std::optional<SentenceRef> sentence_of(validator::Obstacle obstacle) {
 void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
   bool const is_machine = ascii::has_extension(input, ".json");
   if (result.is_other_list) throw Failure({.sentence = says::other_list, .arguments = {{"file", input}}});
-  // What is wrong with the machine is reported first: the cycle time may be part of it.
+  // Findings about the machine come first: the cycle time may be part of it.
   bool const lacks_more =
       result.obstacle == validator::Obstacle::incomplete || (is_machine && !result.machine);
   if (result.cycle_time_known || lacks_more) return;

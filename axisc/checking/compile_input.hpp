@@ -17,7 +17,7 @@ struct CompileJob {
   codegen::ImageOptions image;
   Language language = Language::english;
   codegen::KnownDesigns& designs;  ///< of all inputs of the run
-  bool skips_other_lists = false;  ///< instead of refusing them: what else is in a folder
+  bool skips_other_lists = false;  ///< instead of refusing them: other files in a folder
 };
 
 struct CompiledImage {
@@ -27,7 +27,7 @@ struct CompiledImage {
 };
 
 struct CompiledInput {
-  CheckedInput checked;  ///< a failure may stand beside findings: what they describe cannot be compiled
+  CheckedInput checked;  ///< may hold a failure next to findings: what they describe cannot be compiled
   std::optional<CompiledImage> image;
   bool skipped = false;  ///< a list of another kind: it has no image
 };

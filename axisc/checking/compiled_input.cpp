@@ -9,7 +9,7 @@ namespace axisc {
 
 namespace {
 
-/// Text is left to the check, which says what is wrong with it.
+/// Text is left to the check, which reports what is wrong with it.
 bool may_be_image(std::string const& input) {
   if (input == "-" || system::kind_of(input) == system::FileKind::folder) return false;
   DiskFiles files;

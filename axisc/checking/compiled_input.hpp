@@ -11,15 +11,15 @@ namespace axisc {
 
 struct InputImage {
   ImageFile image;
-  std::optional<CheckedMachine> machine;  ///< that it was compiled from; an image is read as it is
+  std::optional<CheckedMachine> machine;  ///< from which it was compiled; an image is read as it is
 
-  /// Of a list in its machine, see CheckedMachine.
+  /// For a list in its machine, see CheckedMachine.
   [[nodiscard]] std::optional<std::string> axis() const { return machine ? machine->axis : std::nullopt; }
   [[nodiscard]] std::optional<std::string> group() const { return machine ? machine->group : std::nullopt; }
 };
 
-/// Of a list, a machine file, a start-up list, a project, the only machine in a folder, or an image. After errors in lists
-/// there is none. Failure for what cannot be read or compiled.
+/// The image of a list, a machine file, a start-up list, a project, the only machine in a folder, or an image
+/// file. None after errors in lists. Failure where the input cannot be read or compiled.
 [[nodiscard]] std::optional<InputImage> compiled_input(MachineRequest const& request,
                                                        ErrorSink const& errors);
 

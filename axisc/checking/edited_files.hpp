@@ -42,7 +42,7 @@ class EditedFiles final : public configuration::Files {
   }
 
  private:
-  /// A machine may write the name in another way.
+  /// A machine may spell the name differently.
   [[nodiscard]] EditedBytes::const_iterator find(std::string const& path) const {
     auto const found = edited_.find(path);
     return found == edited_.end() && !edited_.empty() ? edited_.find(validator::key_of(path)) : found;

@@ -89,7 +89,7 @@ class Fixer {
     return found.unreadable ? std::nullopt : std::optional(std::move(counts));
   }
 
-  /// Bytes that the caller gave are his to change.
+  /// Bytes passed in by the caller may always be changed.
   [[nodiscard]] bool may_change(std::string const& path) {
     auto const [known, is_new] = may_change_.try_emplace(path, path == "-" || job_.edited.contains(path));
     if (is_new && !known->second) known->second = changeable_.contains(path);
@@ -109,7 +109,7 @@ class Fixer {
     return choice_ == FixChoice::all || finding.fix->safety == FixSafety::safe;
   }
 
-  /// Long NC programs are held in memory only where there is something to repair in one.
+  /// Long NC programs are held in memory only if one of them needs a repair.
   [[nodiscard]] bool repairs_excerpt(validator::CheckResult const& found, SourceSet const& sources) {
     return std::any_of(found.findings.begin(), found.findings.end(), [&](Finding const& finding) {
       return may_apply(finding, sources) &&
@@ -118,8 +118,8 @@ class Fixer {
     });
   }
 
-  /// True if a fix was applied. Of fixes that touch one another the first is applied; the others wait for the next
-  /// round.
+  /// True if a fix was applied. Of fixes that touch one another the first is applied; the others wait for the
+  /// next round.
   bool round(std::string const& path, std::size_t& left_out) {
     SourceSet sources;
     EditedFiles files(result_.edited, path == "-");

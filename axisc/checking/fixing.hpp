@@ -21,10 +21,10 @@ struct FixedInputs {
   FixFacts facts;
 };
 
-/// A fix that leads to another finding, or does not end its own, is taken back. Findings in the baseline, and files
-/// that are not in `changeable`, are not fixed.
-/// Applying fixes to the result changes nothing. One input after another, because they may share files. Cost: a check
-/// per round, and some more for each fix that is taken back, at most two hundred.
+/// A fix that leads to another finding, or does not end its own, is taken back. Findings in the baseline, and
+/// files that are not in `changeable`, are not fixed.
+/// Applying fixes to the result changes nothing. One input after another, because they may share files. Cost:
+/// a check per round, and some more for each fix that is taken back, at most two hundred.
 [[nodiscard]] FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths,
                                      FixChoice choice, Baseline const& baseline,
                                      IdentityPaths& identity_paths, ChangeableFiles const& changeable);

@@ -1,5 +1,5 @@
-// Files as identities of findings name them, so that a baseline fits every checkout: relative to the repository (the
-// nearest folder with .git), else to the folder of the settings, else to the working folder.
+// Files as identities of findings name them, so that a baseline fits every checkout: relative to the
+// repository (the nearest folder with .git), else to the folder of the settings, else to the working folder.
 #pragma once
 
 #include "axisc/settings/settings.hpp"
@@ -16,8 +16,8 @@ class IdentityPaths {
 
   /// "-" and files outside of these folders keep their names. Cost: system calls once per folder and file.
   [[nodiscard]] std::string const& of(std::string const& file);
-  /// True if there is no such file below the working folder's repository (or what stands for it). `path` is a name
-  /// that of() gives.
+  /// True if there is no such file below the working folder's repository (or the folder used instead of it).
+  /// `path` is a name that of() gives.
   [[nodiscard]] bool is_gone(std::string const& path);
 
  private:

@@ -13,17 +13,18 @@ namespace axisc {
 
 /// Takes the findings of severity error that prevent a machine.
 struct ErrorSink {
-  Language language = Language::english;  ///< of what a Failure quotes
+  Language language = Language::english;  ///< of texts quoted in a Failure
   std::function<void(std::vector<Finding> const&, SourceSet const&)> take;
 };
 
-/// Checks with the settings that apply to the input. If findings prevent a machine, `errors` takes them and none is
-/// returned; everything else that `compile` refuses is a Failure, except an unknown cycle time. The machine of the result reads its NC programs from `files` again.
+/// Checks with the settings that apply to the input. If findings prevent a machine, `errors` takes them and
+/// none is returned; everything else that `compile` refuses is a Failure, except an unknown cycle time. The
+/// machine of the result reads its NC programs from `files` again.
 [[nodiscard]] std::optional<validator::CheckResult> check_machine(CheckJob const& job,
                                                                   std::string const& path,
                                                                   configuration::Files& files,
                                                                   ErrorSink const& errors);
-/// The same, and keeps what was read: the machine in `loaded` refers to `sources`.
+/// Also keeps what was read: the machine in `loaded` refers to `sources`.
 [[nodiscard]] std::optional<validator::CheckResult> check_machine(
     CheckJob const& job, std::string const& path, configuration::Files& files, ErrorSink const& errors,
     SourceSet& sources, std::optional<validator::LoadedMachine>& loaded);

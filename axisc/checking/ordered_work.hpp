@@ -42,7 +42,7 @@ class OrderedWork {
       try {
         threads_.emplace_back([this] { run(); });
       } catch (std::system_error const&) {
-        // Fewer threads than wanted do the same work.
+        // If fewer threads could be started than wanted, they do all the work.
         if (threads_.empty()) throw;
         break;
       }
@@ -70,7 +70,7 @@ class OrderedWork {
   struct Piece {
     std::size_t first = 0;
     std::vector<Result> results;
-    std::exception_ptr error;  ///< of the one behind `results`
+    std::exception_ptr error;  ///< of the task after `results`
     std::size_t weight = 0;
   };
 
@@ -150,8 +150,8 @@ class OrderedWork {
   return threads <= 1 || count <= 1;
 }
 
-/// Memory: that of `threads` results at work, and most_waiting_bytes of finished ones. What `work` throws for
-/// the lowest index is thrown here, after the results before it were taken and all threads have ended.
+/// Memory: that of `threads` results at work, and most_waiting_bytes of finished ones. An exception of `work`
+/// for the lowest index is rethrown here, after the results before it were taken and all threads have ended.
 template <class Result>
 void in_order(OrderedTasks<Result> const& tasks, unsigned threads) {
   if (is_one_by_one(tasks.count, threads)) {

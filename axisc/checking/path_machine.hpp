@@ -31,8 +31,8 @@ struct MachineRequest {
   bool alone = false;  ///< a list by itself, not in its machine
 };
 
-/// The machine of an input: of a folder the only one in it, of a list the one that it belongs to. Failure for a folder with
-/// none, or with several.
+/// The machine of an input: for a folder the only one in it, for a list the one that it belongs to. Failure
+/// for a folder with none, or with several.
 [[nodiscard]] Belonging machine_of_input(MachineRequest const& request, CheckJob const& job,
                                          configuration::Files& files);
 
@@ -43,8 +43,9 @@ struct MachineRequest {
 [[nodiscard]] std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded,
                                                       SourceSet const& sources, std::string const& list);
 
-/// Checks a list, a machine file, a start-up list, or the only machine in a folder; a list is judged in its machine. After
-/// errors nothing is returned. Failure for an unreadable file and for an unknown NC cycle time.
+/// Checks a list, a machine file, a start-up list, or the only machine in a folder; a list is judged in its
+/// machine. After errors nothing is returned. Failure for an unreadable file and for an unknown NC cycle
+/// time.
 [[nodiscard]] std::optional<CheckedMachine> checked_machine(MachineRequest const& request,
                                                             ErrorSink const& errors);
 

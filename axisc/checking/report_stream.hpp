@@ -1,4 +1,5 @@
-// The report of a run, printed during the run: findings are freed as soon as those of all earlier inputs are printed.
+// The report of a run, printed during the run: findings are freed as soon as those of all earlier inputs are
+// printed.
 #pragma once
 
 #include "axisc/checking/baseline.hpp"
@@ -28,8 +29,8 @@ struct ReportPlan {
   bool quiet = false;
   bool statistics = false;
   bool counts_always = false;        ///< the last line of the text form also where nothing was found
-  std::optional<Baseline> baseline;  ///< what it holds is not shown
-  bool write_baseline = false;       ///< `baseline` is to be what was found
+  std::optional<Baseline> baseline;  ///< its findings are not shown
+  bool write_baseline = false;       ///< `baseline` is to be replaced by the findings
   IdentityPaths* identity_paths = nullptr;
 };
 
@@ -50,7 +51,7 @@ class ReportStream {
   /// With `write_baseline`: all findings.
   [[nodiscard]] Baseline const& found() const { return found_; }
 
-  /// Prints the rest. `judged` tells whether the run looks for a baseline entry's code.
+  /// Prints the rest. `judged` returns whether the run looks for a baseline entry's code.
   void finish(std::optional<FixFacts> fixes, std::function<bool(Code)> const& judged);
 
  private:
@@ -62,14 +63,14 @@ class ReportStream {
   [[nodiscard]] bool was_elsewhere(Identity const& identity, std::uint32_t occurrence);
   [[nodiscard]] std::optional<BaselineFacts> baseline_facts(std::function<bool(Code)> const& judged) const;
   void write(Finding const& finding, SourceSet const& sources, std::string_view fingerprint);
-  /// Passes on what was written.
+  /// Passes on the text written so far.
   void print();
   [[nodiscard]] std::vector<CodeCount> frequent_codes() const;
 
   ReportPlan plan_;
   TextSink out_;
   std::unique_ptr<ReportWriter> writer_;
-  std::string text_;              ///< that was written and not printed yet
+  std::string text_;              ///< written and not printed yet
   bool numbers_;                  ///< identities matter to the format or the baseline
   bool assumption_said_ = false;  ///< AX9006
   Identity identity_;             ///< of the last finding; its memory serves the next
@@ -80,7 +81,7 @@ class ReportStream {
   /// Keyed by a hash of the identity, because a fleet has millions of them.
   std::unordered_map<std::uint64_t, std::uint32_t> occurrences_;
   Baseline found_;
-  Baseline missing_;  ///< entries that nothing has answered to so far
+  Baseline missing_;  ///< entries that no finding has matched so far
   /// Files of entries of the baseline that are gone, by the entry without its file.
   std::optional<std::multimap<BaselineEntry, std::string>> gone_;
   std::size_t hidden_ = 0;

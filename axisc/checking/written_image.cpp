@@ -29,7 +29,7 @@ ImageFate put(std::string const& bytes, ImageTarget const& target, std::vector<s
     write_depfile(target, sources);
     return ImageFate::unchanged;
   }
-  std::error_code error;  // what it means shows when the file is made
+  std::error_code error;  // reported when the file is created
   if (target.makes_folder) fs::create_directories(system::path_of(target.path).parent_path(), error);
   OutputFile output(target.path);
   output.write(bytes);

@@ -30,8 +30,8 @@ struct WrittenImage {
   std::size_t filters = 0;
 };
 
-/// Writes the image unless the file already has the same content. `more_sources` are sources that the input does not
-/// name itself. A write error is a failure of the input.
+/// Writes the image unless the file already has the same content. `more_sources` are sources that the input
+/// does not name itself. A write error is a failure of the input.
 [[nodiscard]] WrittenImage write_image(CompiledInput compiled, ImageTarget const& target,
                                        std::vector<std::string> const& more_sources);
 

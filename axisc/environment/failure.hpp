@@ -1,4 +1,4 @@
-// What ends the program with exit status 2: the command line, a file or the environment is at fault.
+// Failures that end the program with exit status 2: the command line, a file or the environment is at fault.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -10,7 +10,7 @@
 
 namespace axisc {
 
-/// One sentence that says what is wrong and what to do. Thrown inside cli/ only; main() prints it.
+/// One sentence that states the problem and what to do about it. main() prints it.
 class Failure : public std::exception {
  public:
   explicit Failure(Message message, std::optional<Code> code = std::nullopt);
@@ -30,7 +30,7 @@ class Failure : public std::exception {
   std::string what_;
 };
 
-/// Thrown inside cli/ when nobody reads standard output any more; main() exits silently, as other filters do.
+/// Thrown when standard output has no reader any more; main() exits silently, as other filters do.
 struct ReaderGone {};
 
 /// "axisc: warning: …" with a line end.

@@ -1,4 +1,4 @@
-// What the program says before it ends because of an exception.
+// The last line that the program prints when an exception ends it.
 #pragma once
 
 #include "diagnostics/message.hpp"

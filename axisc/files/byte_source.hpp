@@ -7,7 +7,8 @@
 
 namespace axisc {
 
-/// The file is open as long as the source lives; "-" is standard input. Failure AX9001 where it cannot be read.
+/// The file is open as long as the source lives; "-" is standard input. Failure AX9001 where it cannot be
+/// read.
 [[nodiscard]] ByteSource open_source(std::string const& path);
 
 }  // namespace axisc

@@ -21,9 +21,7 @@ constexpr Sentence no_repository{
     "--changed-since braucht ein Git-Repository: in keinem Ordner von {folder} aufwärts liegt .git"};
 constexpr Sentence no_git{
     "--changed-since needs the program git, which cannot be started ({reason}); install it, or add its "
-    "folder "
-    "to "
-    "PATH",
+    "folder to PATH",
     "--changed-since braucht das Programm git, das sich nicht starten lässt ({reason}); es installieren oder "
     "seinen Ordner in PATH aufnehmen"};
 constexpr Sentence git_refuses{
@@ -59,7 +57,7 @@ class Git {
  public:
   Git(std::string root, std::string revision) : root_(std::move(root)), revision_(std::move(revision)) {}
 
-  /// What git prints. Locks are left to those who change something.
+  /// The output of git. Optional locks are left to commands that change something.
   [[nodiscard]] std::string operator()(std::vector<std::string> const& words) const {
     std::vector<std::string> arguments{"git", "--no-optional-locks", "-C", root_};
     arguments.insert(arguments.end(), words.begin(), words.end());

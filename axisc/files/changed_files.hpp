@@ -1,4 +1,4 @@
-// What differs from a revision in git.
+// Files that differ from a revision in git.
 #pragma once
 
 #include <string>

@@ -58,7 +58,7 @@ struct CsvPlace {
   std::uint32_t column;
 };
 
-/// Of a field that begins with one; two of them are one character of it.
+/// The closing quote of a field that begins with one; a doubled quote is a character of the field.
 std::size_t closing_quote(std::string_view field) {
   std::size_t at = field.find('"', 1);
   while (at != std::string_view::npos && field.substr(at + 1).starts_with('"')) at = field.find('"', at + 2);

@@ -14,8 +14,9 @@ namespace axisc {
 
 using recordings::ByteSource;
 
-/// First line: column names. Fields are separated by commas and may be in double quotes; blanks around them, CRLF, a
-/// byte order mark and empty lines are accepted. A mistake is a Failure (AX9005) with line and column.
+/// First line: column names. Fields are separated by commas and may be in double quotes; blanks around them,
+/// CRLF, a byte order mark and empty lines are accepted. A mistake is a Failure (AX9005) with line and
+/// column.
 class CsvReader {
  public:
   /// Reads the first line. `name` is the file in messages.

@@ -34,16 +34,13 @@ constexpr Sentence cannot_read_image{
     "cannot read {file} as a list: it is a coefficient image; give the list or machine file that it was "
     "compiled from, or look into it with `axisc inspect`",
     "{file} ist nicht als Liste lesbar: es ist ein Koeffizientenabbild; die Liste oder Maschinendatei "
-    "angeben, "
-    "aus der es entstand, oder mit `axisc inspect` ansehen"};
+    "angeben, aus der es entstand, oder mit `axisc inspect` ansehen"};
 
 constexpr Sentence cannot_read_not_regular{
     "cannot read {file}: it is a pipe, a device or a file of /proc or /sys, not a regular file; use - for "
-    "standard "
-    "input",
+    "standard input",
     "{file} ist nicht lesbar: eine Pipe, ein Gerät oder eine Datei aus /proc oder /sys, keine gewöhnliche "
-    "Datei; "
-    "- ist die Standardeingabe"};
+    "Datei; - ist die Standardeingabe"};
 constexpr Sentence cannot_read_link_loop{"cannot read {file}: its symbolic links lead in a circle",
                                          "{file} ist nicht lesbar: ihre symbolischen Links führen im Kreis"};
 
@@ -84,8 +81,8 @@ FileError error_of(system::Error const& error) {
   }
 }
 
-/// Reads to the end of the file, whatever its reported size. One byte more than the size is requested, so that a file
-/// of just that size needs no second call.
+/// Reads to the end of the file, whatever its reported size. One byte more than the size is requested, so
+/// that a file of just that size needs no second call.
 Bytes read_all(system::File const& file, std::optional<std::size_t> size) {
   std::string bytes;
   std::size_t filled = 0;

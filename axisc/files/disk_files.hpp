@@ -13,7 +13,8 @@
 
 namespace axisc {
 
-/// Reads regular files: no list, program or settings file shall make the program wait, or read a device without end.
+/// Reads regular files: no list, program or settings file may make the program wait, or read a device
+/// without end.
 class DiskFiles final : public configuration::Files {
  public:
   /// `dash_is_standard_input`: "-" means standard input, which is read once and kept.
@@ -33,7 +34,7 @@ class DiskFiles final : public configuration::Files {
 
 /// The line for a file that could not be read: AX9001, or AX9003 where it is too large.
 [[nodiscard]] Failure unreadable(std::string const& path, configuration::FileError error);
-/// The same; what has no sentence here is said in the system's words.
+/// The line for any other error; errors without a sentence here are quoted in the system's words.
 [[nodiscard]] Failure unreadable(std::string const& path, system::Error const& error);
 
 enum class Dash : std::uint8_t { is_standard_input, is_a_name };

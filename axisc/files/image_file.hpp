@@ -20,8 +20,8 @@ struct ImageFile {
   image::ImageContents contents;
 };
 
-/// Reads and verifies; "-" is standard input. Failure AX9001 for a file that cannot be read, AX9004 for a damaged image
-/// or a file that is not an image.
+/// Reads and verifies; "-" is standard input. Failure AX9001 for a file that cannot be read, AX9004 for a
+/// damaged image or a file that is not an image.
 [[nodiscard]] ImageFile load_image(std::string const& path);
 
 /// Failure AX9004 with the status of the runtime.
@@ -45,12 +45,13 @@ enum class Port : std::uint8_t { setpoint, interface, velocity };
 /// Values of `--level`, for help and messages.
 inline constexpr std::string_view level_names = "portable|auto|v2|v3|v4|neon";
 
-/// The axisrt_level for a value of `--level`; portable without one, because its results are the same everywhere.
+/// The axisrt_level for a value of `--level`; portable without one, because its results are the same
+/// everywhere.
 /// Failure for another value.
 [[nodiscard]] std::uint32_t level_of(std::optional<std::string> const& word);
 
-/// The runtime for a loaded image at an axisrt_level. Failure AX9004 if the self-tests fail on this processor; another
-/// Failure if it does not have that level.
+/// The runtime for a loaded image at an axisrt_level. Failure AX9004 if the self-tests fail on this
+/// processor; another Failure if it does not have that level.
 [[nodiscard]] image::RuntimeHost start_runtime(std::string const& path, ImageFile const& file,
                                                std::uint32_t level = AXISRT_LEVEL_PORTABLE);
 

@@ -48,8 +48,8 @@ constexpr std::size_t longest_key_file = 256;
       cannot_write);
 }
 
-/// A file that gets its name when it is complete. Without a name it is removed again, also when the program is
-/// interrupted.
+/// A file that gets its name when it is complete. Without a name it is removed again, also when the program
+/// is interrupted.
 class NewFile {
  public:
   NewFile(std::string path, system::Privacy privacy)

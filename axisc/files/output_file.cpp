@@ -105,7 +105,7 @@ void OutputFile::take(system::Result<system::File> opened) {
 }
 
 void OutputFile::open_beside(system::FileStatus const* old) {
-  // Renaming does not need write permission for the old file, but its write protection shall be respected.
+  // Renaming does not need write permission for the old file, but its write protection is respected.
   if (old != nullptr) require(system::refuses_writing(target_));
   std::string name = folder_of(target_) + "/.axisc-" + unique_name();
   {

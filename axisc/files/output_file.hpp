@@ -11,15 +11,15 @@
 
 namespace axisc {
 
-/// What a power failure may leave: always a complete file, or possibly a damaged one (much cheaper; for the files of a
-/// cache, which can be rebuilt and carry a checksum).
+/// The result of a power failure: always a complete file, or possibly a damaged one (much cheaper; for the
+/// files of a cache, which can be rebuilt and carry a checksum).
 enum class Durability : std::uint8_t { of_content, of_name };
 
-/// Writes to a temporary file next to the target, syncs and renames, so that no reader sees a partial file and an
-/// existing file is unchanged if anything fails or the program is interrupted. A symbolic link is followed, the old
-/// file's mode kept. A target that is not a regular file (a device, a pipe) is opened and written directly, never
-/// renamed over; "-" is standard output. A file of a cache replaces whatever has its name, without following links. Every
-/// function may throw a Failure (AX9002).
+/// Writes to a temporary file next to the target, syncs and renames, so that no reader sees a partial file
+/// and an existing file is unchanged if anything fails or the program is interrupted. A symbolic link is
+/// followed, the old file's mode kept. A target that is not a regular file (a device, a pipe) is opened and
+/// written directly, never renamed over; "-" is standard output. A file of a cache replaces whatever has its
+/// name, without following links. Every function may throw a Failure (AX9002).
 class OutputFile {
  public:
   explicit OutputFile(std::string path, Durability durability = Durability::of_content);
@@ -30,7 +30,7 @@ class OutputFile {
   void write(std::string_view bytes);
   /// Moves the file to its final name. Nothing can be written afterwards.
   void commit();
-  /// The same where the old file must still have the content `before`; a Failure otherwise.
+  /// Moves the file to its final name if the old file still has the content `before`; a Failure otherwise.
   void commit_over(std::string_view before);
 
  private:
@@ -53,7 +53,7 @@ class OutputFile {
 
   std::string path_;  ///< as the user wrote it
   Durability durability_;
-  std::string target_;  ///< behind symbolic links; empty when written directly
+  std::string target_;  ///< with symbolic links resolved; empty when written directly
   TemporaryFile temporary_;
   system::File file_;
 };
@@ -61,8 +61,8 @@ class OutputFile {
 /// True if `path` is a regular file with exactly these bytes: writing it again would only change its time.
 [[nodiscard]] bool is_content_of(std::string const& path, std::string_view bytes);
 
-/// Replaces a file whose content was `before` when it was read. Failure if it was changed meanwhile: what another program
-/// wrote is not lost.
+/// Replaces a file whose content was `before` when it was read. Failure if it was changed meanwhile: changes
+/// by another program are not lost.
 void replace_content(std::string const& path, std::string_view before, std::string_view after);
 
 }  // namespace axisc

@@ -7,8 +7,8 @@
 
 namespace axisc {
 
-/// Paths with all links resolved; "-" stays. A folder is resolved once: resolving every file would cost more than
-/// reading it.
+/// Paths with all links resolved; "-" stays. A folder is resolved once: resolving every file would cost more
+/// than reading it.
 class PathIdentities {
  public:
   [[nodiscard]] std::string of(std::string const& path);

@@ -12,8 +12,8 @@ namespace axisc {
 
 class ProgramLines {
  public:
-  /// "-" is standard input, which cannot be read twice and is kept in memory; otherwise a regular file. Failure AX9001,
-  /// AX9003.
+  /// "-" is standard input, which cannot be read twice and is kept in memory; otherwise a regular file.
+  /// Failure AX9001, AX9003.
   explicit ProgramLines(std::string path);
 
   /// Calls `line` with each line, without its end, and its place in the program, until it returns false.

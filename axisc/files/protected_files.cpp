@@ -17,9 +17,9 @@ constexpr Sentence is_input{
     "{file} ist eine der Eingaben und würde überschrieben; einen anderen Namen wählen"};
 constexpr Sentence is_output_too{"{file} and {other} are the same file; choose two names",
                                  "{file} und {other} sind dieselbe Datei; zwei Namen wählen"};
-constexpr Sentence is_key{"{file} is a secret key and would be overwritten; choose another name",
-                          "{file} ist ein geheimer Schlüssel und würde überschrieben; einen anderen Namen "
-                          "wählen"};
+constexpr Sentence is_key{
+    "{file} is a secret key and would be overwritten; choose another name",
+    "{file} ist ein geheimer Schlüssel und würde überschrieben; einen anderen Namen wählen"};
 
 }  // namespace axisc::says
 
@@ -27,7 +27,7 @@ namespace axisc {
 
 namespace {
 
-/// What the names of one file have in common; none for what is not a file.
+/// A key that all names of one file share; none for anything but a file.
 class FileIdentities {
  public:
   [[nodiscard]] std::optional<std::string> of(std::string const& path) {

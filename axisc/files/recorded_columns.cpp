@@ -42,12 +42,12 @@ namespace axisc {
 
 namespace {
 
-/// Beyond it whole numbers are no longer told apart, and squares of differences overflow sooner or later.
+/// Beyond it whole numbers are no longer exact, and squares of differences overflow sooner or later.
 constexpr double largest_position = 1e15;
 /// A longer pause is not a lost sample.
 constexpr double longest_gap = 1000;
 constexpr double cycle_tolerance = 0.1;
-/// Of a short recording more than a quarter may be missing.
+/// More than a quarter of a short recording may be missing.
 constexpr std::size_t always_bearable = 2000;
 
 using recordings::NumberRows;
@@ -123,7 +123,7 @@ void bridge(comparison::Signal& signal, double next, std::size_t missing) {
   }
 }
 
-/// Cycles since the row before by the column of the time.
+/// Cycles since the previous row, by the column of the time.
 std::size_t passed_cycles(File const& file, double milliseconds, double cycle_ms) {
   double const cycles = milliseconds / cycle_ms;
   double const whole = std::round(cycles);

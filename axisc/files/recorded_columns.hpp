@@ -1,4 +1,4 @@
-// A scope's recording of an axis: the setpoint before the filters and behind them.
+// A scope's recording of an axis: the setpoint before and after the filters.
 #pragma once
 
 #include "analysis/comparison/verdict.hpp"
@@ -21,9 +21,10 @@ struct RecordedColumns {
   std::size_t repeated = 0;         ///< rows that were recorded twice and are left out
 };
 
-/// Rows as analysis/recordings/number_rows.hpp says. A column whose name begins with "time" or "zeit" is the time of the columns behind it,
-/// in ms unless the name ends in "_s" or "[s]"; without names the first of three columns, and the first of each pair of
-/// four. `name` is the file in messages. Failure (AX9005) for a mistake, also where more than a quarter of the cycles is lost.
+/// Rows as in analysis/recordings/number_rows.hpp. A column whose name begins with "time" or "zeit" is the
+/// time of the columns after it, in ms unless the name ends in "_s" or "[s]"; without names the first of
+/// three columns, and the first of each pair of four. `name` is the file in messages. Failure (AX9005) for a
+/// mistake, also where more than a quarter of the cycles is lost.
 [[nodiscard]] RecordedColumns read_recorded_columns(std::string const& name, recordings::ByteSource source,
                                                     WantedColumns const& wanted,
                                                     design::CycleTime cycle_time);

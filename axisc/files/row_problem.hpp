@@ -1,4 +1,4 @@
-// What is wrong with a row of numbers, in words.
+// Failures about rows of numbers.
 #pragma once
 
 #include "analysis/recordings/number_rows.hpp"

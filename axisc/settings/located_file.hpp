@@ -1,4 +1,5 @@
-// A JSON file written by the user, read with the position of every value, so that each message names line and column.
+// A JSON file written by the user, read with the position of every value, so that each message names line and
+// column.
 #pragma once
 
 #include "configuration/json_shape.hpp"
@@ -15,8 +16,8 @@ namespace axisc {
 
 class LocatedFile {
  public:
-  /// Failure if the file cannot be read; with `code`, if it is not JSON (sentence `malformed`) or does not match
-  /// `shape` (the first mistake).
+  /// Failure if the file cannot be read; with `code`, if it is not JSON (sentence `malformed`) or does not
+  /// match `shape` (the first mistake).
   LocatedFile(std::string path, configuration::JsonShape const& shape, SentenceRef malformed,
               std::optional<Code> code = std::nullopt);
 

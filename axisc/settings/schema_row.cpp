@@ -4,8 +4,8 @@
 #include "configuration/sentences.hpp"
 #include "schema/indexed_name.hpp"
 #include "validator/loading/build_version.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/lost_assignment.hpp"
-#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <array>

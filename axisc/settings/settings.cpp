@@ -181,7 +181,8 @@ std::string relative_to(std::string const& folder, std::string const& path) {
   return system::name_of(relative.empty() ? absolute : relative);
 }
 
-/// relative_to() of one folder; many patterns ask for the same file, and its links need not be resolved each time.
+/// relative_to() of one folder; many patterns ask for the same file, and its links need not be resolved each
+/// time.
 class RelativeNames {
  public:
   explicit RelativeNames(std::string folder) : folder_(std::move(folder)) {}

@@ -1,23 +1,24 @@
 // `axisc.json`: settings of a team for the lists of a folder and its subfolders.
 //
 //   {
-//     "cycle_time_us": 1000,                      for lists alone; a machine file says its own
+//     "cycle_time_us": 1000,                      for lists alone; a machine file has its own
 //     "build": "V3.1.3080.00",
 //     "language": "de",
-//     "design": {"filters": "no-prewarping", "kernels": "taps-n-plus-1"},   what the control makes of its filters
+//     "design": {"filters": "no-prewarping", "kernels": "taps-n-plus-1"},   how the control computes filters
 //     "disable": ["AX4007"],
 //     "severity": {"AX3013": "error"},
 //     "schema": ["build-3200.json"],              schema files, see schema_file.hpp; relative to this file
 //     "paths": [{"pattern": "old/**", "disable": ["AX1011"]}, {"pattern": "tools/*.lis", "kind": "tool"}],
-//     "include": ["listen/**"], "exclude": ["old/**"]     of what folders hold
+//     "include": ["listen/**"], "exclude": ["old/**"]     files to check in folders
 //   }
 //
-// A severity determines the exit status, which finding of a token is kept, and whether an image is written, in every
-// command; a code with a severity is checked without --pedantic, unless it is a note either way. A pattern is matched
-// against the file that a finding is in: a default list and the lists of axes may have different rules.
+// A severity determines the exit status, which finding of a token is kept, and whether an image is written,
+// in every command; a code with a severity is checked without --pedantic, unless it is a note either way. A
+// pattern is matched against the file that a finding is in: a default list and the lists of axes may have
+// different rules.
 //
-// All keys are optional. The file is searched next to each input and in the folders above; only the nearest one
-// applies. The command line overrides it.
+// All keys are optional. The file is searched next to each input and in the folders above; only the nearest
+// one applies. The command line overrides it.
 #pragma once
 
 #include "configuration/json_shape.hpp"
@@ -69,12 +70,13 @@ extern configuration::JsonShape const settings_shape;
 /// The settings of each folder, read once. May be used by several threads.
 class SettingsFinder {
  public:
-  /// `schema_files` are those of the command line; they are read after those of each axisc.json and override them.
+  /// `schema_files` are those of the command line; they are read after those of each axisc.json and override
+  /// them.
   explicit SettingsFinder(std::vector<std::string> schema_files = {})
       : schema_files_(std::move(schema_files)) {}
 
-  /// The settings for an input: the nearest axisc.json, null if there is none; for standard input that of the working
-  /// folder. Valid as long as the finder. Cost: system calls once per folder.
+  /// The settings for an input: the nearest axisc.json, null if there is none; for standard input that of the
+  /// working folder. Valid as long as the finder. Cost: system calls once per folder.
   [[nodiscard]] Settings const* find(std::string const& input);
   /// The parameters that the lists of an input may set.
   [[nodiscard]] schema::Catalogue catalogue(std::string const& input);
@@ -100,7 +102,7 @@ void add_settings_files(SettingsFinder& finder, std::string const& input, std::v
 [[nodiscard]] validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
                                                     std::string const& input);
 
-/// What `lint --print-config` shows for one input: each setting, and where it comes from.
+/// The output of `lint --print-config` for one input: each setting, and where it comes from.
 [[nodiscard]] std::string describe_settings(std::string const& input,
                                             validator::CheckOptions const& command_line,
                                             std::vector<std::string> const& schema_files,

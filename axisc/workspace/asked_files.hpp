@@ -1,4 +1,4 @@
-// Which files somebody looked for, so that it is known whom another file concerns.
+// Records the files that machines looked for, to find the machines that a changed file concerns.
 #pragma once
 
 #include <map>
@@ -7,7 +7,8 @@
 
 namespace axisc {
 
-/// What one machine was read from, and what it missed. Files count by the last part of their path, whatever links lead to them.
+/// The files that one machine was read from, and those it missed. Files count by the last part of their path,
+/// whatever links lead to them.
 struct AskedFiles {
   std::set<std::string> names;
   std::set<std::string> folders;  ///< that were listed, with `/` at the end
@@ -16,7 +17,7 @@ struct AskedFiles {
   void add_folder(std::string const& path);
 };
 
-/// The same of all machines that were read.
+/// The asked files of all machines that were read.
 class Readers {
  public:
   void add(std::string const& machine, AskedFiles const& asked);

@@ -36,7 +36,7 @@ struct OpenPaths {
 
 class Buffers final : public configuration::Files {
  public:
-  /// Both outlive this object; the documents do not change meanwhile.
+  /// Both must outlive this object; the documents do not change meanwhile.
   Buffers(Documents const& documents, configuration::Files& disk)
       : Buffers(std::make_shared<OpenPaths const>(documents), disk) {}
   Buffers(std::shared_ptr<OpenPaths const> open, configuration::Files& disk)
@@ -44,13 +44,13 @@ class Buffers final : public configuration::Files {
 
   /// The open document of a file, however its path is written; null for others.
   [[nodiscard]] Document const* document(std::string const& path) const;
-  /// That of the open document, as the client writes it, else one of the path.
+  /// The URI of the open document, as the client writes it, otherwise one of the path.
   [[nodiscard]] std::string uri(std::string const& path) const;
-  /// Its text was given out.
+  /// Whether the document's text has been read.
   [[nodiscard]] bool has_read(Document const& document) const { return read_.contains(&document); }
-  /// The same files, of which nothing has been asked yet.
+  /// The same files, without a record of what was asked for.
   [[nodiscard]] Buffers anew() const { return {open_, disk_}; }
-  /// What was asked for, whether it is there or not.
+  /// The files that were asked for, whether they exist or not.
   [[nodiscard]] AskedFiles const& asked() const { return asked_; }
 
   [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;

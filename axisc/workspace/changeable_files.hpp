@@ -1,4 +1,4 @@
-// Which files `--fix` and `fmt` may change.
+// The files that `--fix` and `fmt` may change.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace axisc {
 
-/// Those that the user names, and those below a folder that he names; the folder of a machine file counts as named. A
-/// machine file, which may come from anybody, cannot name others. Links are resolved first.
+/// Files that the user names, and those below a folder that the user names; the folder of a machine file
+/// counts as named. A machine file, which may come from anywhere, cannot name others. Links are resolved
+/// first.
 class ChangeableFiles {
  public:
   explicit ChangeableFiles(std::vector<std::string> const& named);

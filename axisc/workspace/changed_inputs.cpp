@@ -15,11 +15,9 @@ namespace axisc::says {
 
 constexpr Sentence outside{
     "{file} is not in the repository {root}, so its changes are unknown; leave it out, or run axisc in its "
-    "own "
-    "repository",
+    "own repository",
     "{file} liegt nicht im Repository {root}, ihre Änderungen sind also unbekannt; sie weglassen oder axisc "
-    "in "
-    "ihrem eigenen Repository aufrufen"};
+    "in ihrem eigenen Repository aufrufen"};
 
 }  // namespace axisc::says
 

@@ -7,9 +7,9 @@
 
 namespace axisc {
 
-/// Leaves the inputs that differ: that are changed themselves, or of which a list, a program or the settings
-/// are changed or gone. Rather too many machines than one too few. Failure for an input outside of the
-/// repository, whose changes git does not tell. Cost: reads each start-up list and machine file once more.
+/// Keeps the inputs that differ: those changed themselves, and those with a list, a program or settings that
+/// are changed or gone. In doubt, a machine is kept. Failure for an input outside of the repository, whose
+/// changes git does not show. Cost: reads each start-up list and machine file once more.
 void keep_changed(Inputs& inputs, ChangedFiles const& changed, SettingsFinder& settings);
 
 }  // namespace axisc

@@ -17,8 +17,7 @@ constexpr Sentence outside_input_folder{
     "{file} is not below {folder}, to which image names are relative; give another folder with "
     "--input-folder",
     "{file} liegt nicht unter {folder}, wozu die Namen der Abbilder relativ sind; mit --input-folder einen "
-    "anderen "
-    "Ordner angeben"};
+    "anderen Ordner angeben"};
 constexpr Sentence no_image_name{"an image from standard input has no name; write it with -o",
                                  "ein Abbild aus der Standardeingabe hat keinen Namen; es mit -o schreiben"};
 

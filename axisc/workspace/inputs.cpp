@@ -47,8 +47,7 @@ constexpr Sentence folder_link{
 constexpr Sentence unclear{
     "{file} is not checked: it is cut off or not text, and may have been a machine file; name it to check it",
     "{file} wird nicht geprüft: abgeschnitten oder kein Text, vielleicht eine Maschinendatei; die Datei "
-    "angeben, um "
-    "sie zu prüfen"};
+    "angeben, um sie zu prüfen"};
 constexpr Sentence listed{
     "cannot read {file}, named in {place}: there is no such file; check the name and the folder",
     "{file}, genannt in {place}, ist nicht lesbar: die Datei gibt es nicht; Name und Ordner prüfen"};
@@ -82,7 +81,8 @@ bool has_input_name(std::string const& name) {
          configuration::is_xml_name(name);
 }
 
-/// What says itself that it is no list and no machine: other JSON and XML files, and projects without a CNC.
+/// Files that are recognisably neither list nor machine: other JSON and XML files, and projects without a
+/// CNC.
 bool is_something_else(Found const& file) {
   bool const says_itself = ascii::has_extension(file.path, ".json") ||
                            configuration::is_xml_name(file.path) || configuration::is_project_name(file.path);
@@ -164,7 +164,7 @@ class Expansion {
  private:
   using Known = std::unordered_set<std::string>;
 
-  /// What a machine file names is checked through it; a machine file itself is always checked, whoever names it.
+  /// Files that a machine file names are checked through it; a machine file itself is always checked.
   [[nodiscard]] static bool is_wanted(Found const& input, std::string const& identity, Known const& lists,
                                       Known const& programs, Known& taken) {
     if (!taken.insert(identity).second) return false;
@@ -220,8 +220,8 @@ class Expansion {
     return true;
   }
 
-  /// A folder that cannot be read is named, `shown`; the others are read nevertheless. Links to folders are not
-  /// followed.
+  /// A folder that cannot be read is reported as `shown`; the others are read nevertheless. Links to folders
+  /// are not followed.
   void collect(std::string const& start, std::string const& shown, std::vector<Found>& entries) {
     std::vector<std::pair<std::string, std::string>> folders{{start == "." ? "" : start, shown}};
     while (!folders.empty()) {
@@ -254,7 +254,7 @@ class Expansion {
     }
   }
 
-  /// What a link within the folder leads to is found there.
+  /// A link's target within the folder is found by itself.
   static bool leads_out_of(std::string const& folder, std::string const& link) {
     auto const inside = system::real_name(folder);
     auto const target = system::real_name(link);
@@ -265,7 +265,7 @@ class Expansion {
     notes_.push_back({.sentence = sentence, .arguments = {{"file", path}}});
   }
 
-  /// False where the last part of the name is no pattern, or nothing matches it.
+  /// False where the last part of the name is not a pattern, or nothing matches it.
   bool add_matching(std::string const& pattern) {
     auto const whole = system::path_of(pattern);
     auto const last = system::name_of(whole.filename());
@@ -308,7 +308,7 @@ Inputs expand_inputs(std::vector<std::string> const& words, Expansion::Wanted co
   } else {
     for (auto const& word : words) named.push_back({.path = word});
   }
-  // Whoever writes `\` between folders reads `/` in what is said of them, as on every system.
+  // Messages use `/` between folders on every system, also for names written with `\`.
   for (auto& input : named) input.path = system::name_of(system::path_of(input.path));
   Expansion expansion(wanted, named_files);
   for (auto const& input : named) expansion.add(input);

@@ -12,7 +12,7 @@
 
 namespace axisc {
 
-/// What is known of an input that a folder holds.
+/// What is known about an input found in a folder.
 struct FoundInput {
   bool is_beside_start_up_list = false;  ///< of which none in this or a folder above names it
 };
@@ -20,38 +20,39 @@ struct FoundInput {
 struct Inputs {
   std::vector<std::string> paths;  ///< lists and machine files, in the order in which they are reported
   std::vector<Failure> failures;   ///< names that cannot be used
-  std::vector<Message>
-      notes;          ///< what folders hold and is passed over, although it may be a list or a machine
-  std::string first;  ///< the first name: its settings and its repository are those of the run
+  std::vector<Message> notes;  ///< files in folders that are skipped, although they may be lists or machines
+  std::string first;           ///< the first name: its settings and its repository are those of the run
   std::vector<std::string> named;  ///< files and folders that the command line or a response file names
   std::vector<std::string>
-      sources;  ///< files that may be read: all inputs, what machine files name, response files
-  std::unordered_map<std::string, FoundInput> found;  ///< of `paths`, those that folders hold
-  /// Of machines that stand for files of theirs: the names of these files, as the machine reads them. All others are shown
-  /// completely.
+      sources;  ///< files that may be read: all inputs, the files that machine files name, response files
+  std::unordered_map<std::string, FoundInput> found;  ///< those of `paths` that were found in folders
+  /// For machines that are checked for the sake of some of their files: the names of these files, as the
+  /// machine reads them. All other inputs are shown completely.
   std::unordered_map<std::string, std::vector<std::string>> shown;
 };
 
 /// How the names of files are taken.
 enum class NamedFiles : std::uint8_t {
   usual,
-  of_hook  ///< by what calls with all files of a commit: `@x.lis` is a file, and what a folder would pass over is passed over
+  /// By a hook that passes all files of a commit: `@x.lis` is a file, and files that a folder would skip are
+  /// skipped.
+  of_hook
 };
 
 /// A folder is replaced by every list and machine file below it, sorted; `@FILE` by the names in it
-/// (response_file.hpp). A file that is named twice is checked once, and a list or program that one of the machine files
-/// names is checked through it; a machine file is always an input itself. A folder below that cannot be read is a failure
-/// of its own.
-/// Whether a file that the command line names exists is found out when it is read. Cost: one system call per file, and
-/// resolving links once per folder.
-/// Of what folders hold only files that `wanted` accepts are looked at.
+/// (response_file.hpp). A file that is named twice is checked once, and a list or program that one of the
+/// machine files names is checked through it; a machine file is always an input itself. A folder below that
+/// cannot be read is a failure of its own.
+/// Whether a file named on the command line exists is found out when it is read. Cost: one system call per
+/// file, and resolving links once per folder.
+/// In folders, only files that `wanted` accepts are considered.
 [[nodiscard]] Inputs expand_inputs(
     std::vector<std::string> const& words,
     std::function<bool(std::string const& path)> const& wanted = [](std::string const&) { return true; },
     NamedFiles named_files = NamedFiles::usual);
 
-/// The input itself; of a folder the only machine in it: a machine file, or a start-up list of which no machine file names
-/// a list. Failure where there is none, or more than one.
+/// The input itself; for a folder the only machine in it: a machine file, or a start-up list of which no
+/// machine file names a list. Failure where there is none, or more than one.
 [[nodiscard]] std::string machine_input(std::string const& name);
 
 }  // namespace axisc

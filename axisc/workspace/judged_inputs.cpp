@@ -42,7 +42,7 @@ void judge_in_machines(Inputs& inputs, configuration::Files& files, OptionsOf co
       judged.push_back(path);
       continue;
     }
-    // The machine is an input of its own: it says everything.
+    // The machine is an input of its own and shows everything.
     if (whole.contains(belonging.machine)) continue;
     auto const [shown, is_first] = inputs.shown.try_emplace(belonging.machine);
     if (is_first) judged.push_back(belonging.machine);

@@ -6,9 +6,10 @@
 
 namespace axisc {
 
-/// Puts the machines that read them in the place of lists and programs; of such a machine only what concerns these files is
-/// shown (Inputs::shown), unless it is an input itself. Of a list in a folder that is an input, machines in the folders above
-/// it count: those within are inputs. Cost: looks into the lists and machine files of the folders once.
+/// Replaces lists and programs by the machines that read them; of such a machine only findings about these
+/// files are shown (Inputs::shown), unless it is an input itself. For a list in a folder that is an input,
+/// only machines in the folders above it count: those within are inputs. Cost: looks into the lists and
+/// machine files of the folders once.
 void judge_in_machines(Inputs& inputs, configuration::Files& files, OptionsOf const& options);
 
 }  // namespace axisc

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -53,18 +54,26 @@ std::string relative_to(fs::path const& folder, std::string const& path) {
 }
 
 void add_found_programs(MachineOutline& outline, DiskFiles& files, std::string const& path,
-                        SourceText const& channel) {
+                        configuration::ChannelList const& channel) {
   auto const folder = system::path_of(path).parent_path();
-  for (auto const& program :
-       configuration::found_programs(files, path, configuration::read_channel_list(channel, SourceId{}))) {
+  for (auto const& program : configuration::found_programs(files, path, channel)) {
     outline.programs.push_back(relative_to(folder, program));
   }
 }
 
 SourceText list_text(std::string const& path, std::string text) {
-  // The check says what is wrong with it.
+  // The check reports what is wrong with it.
   std::vector<configuration::XmlMistake> mistakes;
   return configuration::list_text(path, std::move(text), mistakes);
+}
+
+std::optional<configuration::ChannelList> channel_list(DiskFiles& files, std::string const& start_up,
+                                                       configuration::LocatedText const& named) {
+  auto const found = configuration::find_list(files, start_up, named.text);
+  auto bytes = found ? files.read(found->path) : configuration::FileError::not_found;
+  if (!std::holds_alternative<std::string>(bytes)) return std::nullopt;
+  return configuration::read_channel_list(list_text(found->path, std::get<std::string>(std::move(bytes))),
+                                          SourceId{});
 }
 
 /// The lists and programs that are found.
@@ -77,16 +86,18 @@ MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::
     auto const found = configuration::find_list(files, path, named->text);
     if (found) outline.lists.push_back(relative_to(folder, found->path));
   }
-  for (auto const& channel : start_up.channels) {
-    auto const found = configuration::find_list(files, path, channel.file.text);
-    auto bytes = found ? files.read(found->path) : configuration::FileError::not_found;
-    if (!std::holds_alternative<std::string>(bytes)) continue;
-    add_found_programs(outline, files, path, list_text(found->path, std::get<std::string>(std::move(bytes))));
+  std::optional<configuration::ChannelList> defaults;
+  if (start_up.default_channel) defaults = channel_list(files, path, *start_up.default_channel);
+  for (auto const& entry : start_up.channels) {
+    auto channel = channel_list(files, path, entry.file);
+    if (!channel) continue;
+    if (defaults) configuration::add_default_programs(*channel, *defaults);
+    add_found_programs(outline, files, path, *channel);
   }
   return outline;
 }
 
-/// What ASCII says in UTF-16, and every other text itself.
+/// ASCII text in UTF-16, decoded; any other text unchanged.
 std::string narrowed(std::string text) {
   if (configuration::check_beginning(text) != configuration::FileError::utf16) return text;
   std::erase(text, '\0');
@@ -94,7 +105,7 @@ std::string narrowed(std::string text) {
   return text.substr(std::min(first, text.size()));
 }
 
-/// JSON that breaks off, also inside a word; a comma before the last bracket is another mistake.
+/// JSON that breaks off, also inside a token; a comma before the last bracket is another mistake.
 bool ends_early(std::string_view json) {
   auto const parsed = configuration::parse_json(json, 0);
   auto const* const error = std::get_if<configuration::JsonError>(&parsed);
@@ -129,8 +140,8 @@ MachineOutline project_outline(DiskFiles& files, std::string const& path, std::s
   MachineOutline outline{.is_machine = project.is_of_cnc};
   for (auto const& list : project.lists) {
     if (list.kind != configuration::ListKind::channel) continue;
-    SourceText const text_of_list(path, Window{.file = sources[source].file(), .span = list.span});
-    add_found_programs(outline, files, path, text_of_list);
+    SourceText const text_of_list(path, Window{.file = sources[source], .span = list.span});
+    add_found_programs(outline, files, path, configuration::read_channel_list(text_of_list, SourceId{}));
   }
   return outline;
 }

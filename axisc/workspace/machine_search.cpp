@@ -23,7 +23,7 @@ std::string folder_of(std::string const& path) {
   return path.substr(0, path.size() - validator::file_name(path).size());
 }
 
-/// Nothing is above the root.
+/// There is nothing above the root.
 std::optional<std::string> folder_above(std::string folder) {
   if (folder == "/") return std::nullopt;
   if (folder.empty() || folder == "../" || folder.ends_with("/../")) return folder + "../";
@@ -39,7 +39,7 @@ bool is_machine(configuration::Files& files, std::string const& path) {
   if (configuration::is_project_name(path)) return true;
   if (!is_json(path) && !ascii::has_extension(path, ".lis") && !configuration::is_xml_name(path))
     return false;
-  // The key stands at the beginning; large files of measurements are not read to their end.
+  // The key is at the beginning; large files of measurements are not read to their end.
   constexpr std::size_t most_bytes = std::size_t{4} << 20U;
   bool found = false;
   std::size_t seen = 0;

@@ -13,7 +13,7 @@
 
 namespace axisc {
 
-/// The options with which `lint` checks an input.
+/// The options that `lint` checks an input with.
 using OptionsOf = std::function<validator::CheckOptions(std::string const& path)>;
 
 /// The input whose check covers a file, and the name by which that input reads it.
@@ -25,17 +25,17 @@ struct Belonging {
 /// Looks into every list of the folders once, however many files are asked for.
 class MachineSearch {
  public:
-  /// `options` outlives the search.
+  /// `options` must outlive the search.
   explicit MachineSearch(OptionsOf const& options) : options_(options) {}
 
-  /// The nearest machine file, project or start-up list, in the file's folder or above, that reads it; the file itself where
-  /// there is none, and where it is a machine. Machine files come before start-up lists. With `from`, a folder ("" or with
-  /// `/` at the end), only folders above it are searched.
+  /// The nearest machine file, project or start-up list, in the file's folder or above, that reads it; the
+  /// file itself where there is none, and where it is a machine. Machine files come before start-up lists.
+  /// With `from`, a folder ("" or with `/` at the end), only folders above it are searched.
   [[nodiscard]] Belonging machine_of(Buffers& files, std::string const& path,
                                      std::optional<std::string> const& from = std::nullopt);
-  /// What the machines found so far were read from.
+  /// Adds the files that the machines found so far were read from.
   void note_readers(Readers& readers) const;
-  /// Where files may have changed.
+  /// To be called when files may have changed.
   void forget() { machines_.clear(); }
 
  private:
@@ -55,7 +55,7 @@ class MachineSearch {
   std::map<std::string, std::vector<Machine>> machines_;  ///< by folder
 };
 
-/// The same of a single file.
+/// The machine of a single file.
 [[nodiscard]] Belonging machine_of(configuration::Files& files, std::string const& path,
                                    OptionsOf const& options);
 

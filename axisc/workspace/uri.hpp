@@ -8,8 +8,8 @@
 
 namespace axisc {
 
-/// On Windows, the host of a URI is that of a share: `file://server/share/x.lis` is `//server/share/x.lis`. Elsewhere hosts
-/// are ignored.
+/// On Windows, the host of a URI is that of a share: `file://server/share/x.lis` is `//server/share/x.lis`.
+/// Elsewhere hosts are ignored.
 enum class FileNames : std::uint8_t { posix, windows };
 
 inline constexpr auto own_file_names =

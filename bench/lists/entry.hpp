@@ -1,4 +1,5 @@
-// What every reader of the comparison makes of one parameter: found in the catalogue, converted, compared with its range.
+// What every reader of the comparison makes of one parameter: found in the catalogue, converted, compared
+// with its range.
 #pragma once
 
 #include "schema/catalogue.hpp"

@@ -58,7 +58,8 @@ std::vector<Row> choose_rows(Random& random) {
   return chosen;
 }
 
-/// Two filters, as axes have them. A band-stop always overshoots, which is worth a warning, so not every list has one.
+/// Two filters, as axes have them. A band-stop always overshoots, which is worth a warning, so not every list
+/// has one.
 void add_filters(std::vector<Entry>& entries, bool bandstop, Random& random) {
   auto const add = [&entries](std::string name, std::string value, EntryKind kind) {
     entries.push_back({.name = std::move(name), .value = std::move(value), .kind = kind});

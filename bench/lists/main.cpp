@@ -9,8 +9,8 @@
 #include "lists/rounds.hpp"
 #include "validator/check.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/list_reader.hpp"
-#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -96,8 +96,8 @@ void check(std::string& text, validator::CheckOptions const& options, SourceSet&
 
 std::size_t findings = 0;  ///< so that nothing is optimised away
 
-/// Texts that a check moves out of, and where it moves them: copied before it and freed behind it, for other readers find
-/// and leave theirs as well.
+/// Texts that a check moves out of, and where it moves them: copied before it and freed behind it, for other
+/// readers find and leave theirs as well.
 struct ReadFiles {
   std::vector<std::string> files;
   std::deque<SourceSet> sources;

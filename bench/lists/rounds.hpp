@@ -1,5 +1,5 @@
-// Contenders measured in interleaved rounds: each once per round, the ratio within the round, the median over the rounds.
-// A machine whose pace changes between minutes then changes all of them alike.
+// Contenders measured in interleaved rounds: each once per round, the ratio within the round, the median over
+// the rounds. A machine whose pace changes between minutes then changes all of them alike.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ struct Contender {
   std::function<void()> prepare = {};  ///< before each run and not measured; may be empty
 };
 
-/// Runs and prints: medians of time, bytes and items per second, and how many items the contender gets through in the time
-/// in which `reference` gets through one.
+/// Runs and prints: medians of time, bytes and items per second, and how many items the contender gets
+/// through in the time in which `reference` gets through one.
 void measure(std::vector<Contender> const& contenders, std::size_t reference, std::size_t rounds,
              char const* items);
 

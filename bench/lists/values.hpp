@@ -9,8 +9,8 @@
 
 namespace axisc::bench {
 
-/// False for parameters that depend on others, so that a random value would be a mistake: filters, limits that other
-/// parameters give, what names or links axes.
+/// False for parameters that depend on others, so that a random value would be a mistake: filters, limits
+/// that other parameters give, what names or links axes.
 [[nodiscard]] bool is_free(schema::Parameter const& parameter);
 
 /// A value of a free parameter, as a list writes it.

@@ -1,4 +1,5 @@
-// Machines from their texts to the bytes of their images, in one thread and without any file: bench/README.md.
+// Machines from their texts to the bytes of their images, in one thread and without any file:
+// bench/README.md.
 //
 //   bench_machines [--machines N] [--rounds N] [--lines N]
 #include "codegen/image_writer.hpp"

@@ -1,5 +1,5 @@
-// Time per axis and cycle of the runtime at every instruction set, beside the plain loops and the libraries of the field,
-// as ratios within one run: best of 15 repetitions that are interleaved at random.
+// Time per axis and cycle of the runtime at every instruction set, beside the plain loops and the libraries
+// of the field, as ratios within one run: best of 15 repetitions that are interleaved at random.
 //
 //   bench_runtime [--axes N,N,...] [--case NAME] [options of Google Benchmark]
 //   bench_runtime --case cycles     single cycles: their distribution, standstill, cold caches, recorder

@@ -1,5 +1,5 @@
-// Libraries that can do a case: rtfilter (double, one set of coefficients for all channels) and liquid-dsp (single
-// precision: fast enough to compare with, too coarse for positions).
+// Libraries that can do a case: rtfilter (double, one set of coefficients for all channels) and liquid-dsp
+// (single precision: fast enough to compare with, too coarse for positions).
 #pragma once
 
 #include "bench/runtime/plain_loops.hpp"

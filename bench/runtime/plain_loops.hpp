@@ -1,5 +1,6 @@
-// What a programmer writes without a library: one axis after the other, transposed direct form II, a ring buffer for a FIR
-// filter, a running sum (which drifts) for a moving average. The yardstick of the benchmarks; compiled with -O2.
+// What a programmer writes without a library: one axis after the other, transposed direct form II, a ring
+// buffer for a FIR filter, a running sum (which drifts) for a moving average. The yardstick of the
+// benchmarks; compiled with -O2.
 #pragma once
 
 #include <cstddef>

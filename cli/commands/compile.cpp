@@ -9,6 +9,7 @@
 #include "cli/options/compile_inputs.hpp"
 #include "cli/options/compile_options.hpp"
 #include "cli/options/named_files.hpp"
+#include "cli/terminal/printed_width.hpp"
 #include "cli/terminal/progress.hpp"
 
 #include <array>
@@ -64,7 +65,7 @@ class Compile {
     job_.check.quiet = options.checking.quiet;
     job_.check.settings = &settings_;
     report_format_.format = options.checking.format;
-    report_format_.write = {.language = language, .color = color};
+    report_format_.write = {.language = language, .color = color, .width = printed_width()};
     auto inputs = choose_inputs(options, settings_);
     job_.check.found = std::move(inputs.found);
     paths_ = std::move(inputs.paths);

@@ -28,7 +28,11 @@ ExitStatus contour(Invocation const& invocation) {
   auto format = presentation::Format::text;
   CommandLine command_line("contour", invocation.language);
   command_line.argument("MACHINE", input, says::argument_input);
-  declare_contour_words(command_line, words);
+  declare_feeds(command_line, words);
+  declare_orders(command_line, words);
+  declare_angle(command_line, words);
+  declare_radius(command_line, words);
+  declare_tolerance(command_line, words);
   command_line.value("--filter", "COMMAND", question.filter, says::option_filter);
   command_line.value("--group", "NAME", question.group, says::option_group);
   command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);

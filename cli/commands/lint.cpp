@@ -12,6 +12,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/options/lint_options.hpp"
 #include "cli/options/named_files.hpp"
+#include "cli/terminal/printed_width.hpp"
 #include "cli/terminal/progress.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "validator/loading/loader.hpp"
@@ -60,7 +61,7 @@ class Lint {
     name_standard_input();
     job_.settings = &settings_;
     report_format_.format = options.checking.format;
-    report_format_.write = {.language = language, .color = color};
+    report_format_.write = {.language = language, .color = color, .width = printed_width()};
     job_.found = inputs_.found;
     choice_ = fix_choice(options);
     if (options.changed_since) keep_changed(inputs_, changed_since(*options.changed_since), settings_);

@@ -75,7 +75,6 @@ constexpr Sentence plant_needs{"--kind plant needs --plant and --move",
                                "--kind plant braucht --plant und --move"};
 constexpr Sentence kind_of_image{"--kind {kind} needs the machine: {file} is an image",
                                  "--kind {kind} braucht die Maschine: {file} ist ein Abbild"};
-constexpr Sentence of_kinds{"{option} belongs to --kind {kinds}", "{option} gehört zu --kind {kinds}"};
 constexpr Sentence order_of_image{
     "--order needs the machine: {file} is an image, compiled for its own orders only",
     "--order braucht die Maschine: {file} ist ein Abbild, nur für seine eigenen "
@@ -88,6 +87,15 @@ namespace axisc::cli {
 namespace {
 
 enum class Kind : std::uint8_t { response, step, delay, corner, circle, plant, path, compare };
+
+std::initializer_list<std::pair<std::string_view, Kind>> const kinds = {
+    {"response", Kind::response}, {"step", Kind::step}, {"delay", Kind::delay}, {"corner", Kind::corner},
+    {"circle", Kind::circle},     {"path", Kind::path}, {"plant", Kind::plant}, {"compare", Kind::compare}};
+
+std::string_view word_of(Kind kind) {
+  return std::find_if(kinds.begin(), kinds.end(), [kind](auto const& row) { return row.second == kind; })
+      ->first;
+}
 
 struct PlotOptions {
   std::optional<std::string> input, before, axis, group, cycle_time, measured, plant, move, program, plane,
@@ -105,32 +113,41 @@ struct PlotOptions {
 void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_plotted);
   command_line.value("-o,--output", "FILE", options.target.path, says::option_picture);
-  command_line.choice("--kind",
-                      {{"response", Kind::response},
-                       {"step", Kind::step},
-                       {"delay", Kind::delay},
-                       {"corner", Kind::corner},
-                       {"circle", Kind::circle},
-                       {"path", Kind::path},
-                       {"plant", Kind::plant},
-                       {"compare", Kind::compare}},
-                      options.kind, says::option_kind);
-  command_line.value("--before", "OTHER", options.before, says::option_before);
+  command_line.choice("--kind", kinds, options.kind, says::option_kind);
   command_line.flag("--table", options.target.table, says::option_table);
+  command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},
+                      options.target.format, says::option_picture_format);
+  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
+  command_line.only_for("response, step, delay, corner, circle");
+  command_line.value("--before", "OTHER", options.before, says::option_before);
+  command_line.only_for("response, step, delay, compare");
   command_line.value("--axis", "NAME", options.axis, says::option_plotted_axis);
+  command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
+  command_line.only_for("response");
   command_line.values("--mark", "HZ", options.marks, says::option_mark);
   command_line.flag("--linear", options.response.linear_frequency, says::option_linear);
   command_line.choice("--magnitude", {{"db", false}, {"linear", true}}, options.response.linear_magnitude,
                       says::option_magnitude);
   command_line.flag("--wrap", options.response.wraps_phase, says::option_wrap);
   command_line.value("--measured", "FILE.csv", options.measured, says::option_measured);
+  command_line.only_for("corner, circle, path");
   command_line.value("--group", "NAME", options.group, says::option_group);
-  declare_contour_words(command_line, options.contour, ContourWords::Shown::paths);
+  command_line.only_for("corner, circle");
+  declare_feeds(command_line, options.contour);
+  declare_orders(command_line, options.contour);
+  command_line.only_for("corner");
+  declare_angle(command_line, options.contour);
+  command_line.only_for("circle");
+  declare_radius(command_line, options.contour);
+  command_line.only_for("path");
   command_line.value("--program", "PART.nc", options.program, says::option_plotted_program);
   command_line.value("--plane", "XY", options.plane, says::option_plane);
   command_line.value("--tolerance", "MM", options.tolerance, says::option_marked_tolerance);
+  command_line.only_for("plant");
   command_line.value("--plant", "PLANT.json", options.plant, says::option_plotted_plant);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_plotted_move);
+  command_line.only_for("compare");
   command_line.value("--recording", "RECORDING.csv", options.recording, says::option_plotted_recording);
   command_line.value("--in", "COLUMN", options.columns.input, says::option_setpoint_column);
   command_line.value("--out", "COLUMN", options.columns.output, says::option_filtered_column);
@@ -140,11 +157,6 @@ void declare(CommandLine& command_line, PlotOptions& options) {
                        {"mm", RecordedUnit::mm},
                        {"incr", RecordedUnit::increments}},
                       options.unit, says::option_recorded_unit);
-  command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
-  command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},
-                      options.target.format, says::option_picture_format);
-  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
-  declare_alone(command_line, options.alone);
 }
 
 /// "48" or "48Hz".
@@ -162,49 +174,13 @@ bool is_contour(Kind kind) {
   return kind == Kind::corner || kind == Kind::circle;
 }
 
-void refuse_mixture(PlotOptions const& options) {
-  struct Belongs {
-    bool given;
-    std::string_view option, kinds;
-    bool fits;
-  };
-  bool const contour = is_contour(options.kind);
-  bool const response = options.kind == Kind::response;
-  bool const plant = options.kind == Kind::plant;
-  bool const path = options.kind == Kind::path;
-  bool const compared = options.kind == Kind::compare;
-  bool const of_axes = !contour && !plant && !path && !compared;
-  for (auto const& [given, option, kinds, fits] : std::initializer_list<Belongs>{
-           {!options.marks.empty(), "--mark", "response", response},
-           {options.response.linear_frequency, "--linear", "response", response},
-           {options.response.linear_magnitude, "--magnitude linear", "response", response},
-           {options.response.wraps_phase, "--wrap", "response", response},
-           {options.measured.has_value(), "--measured", "response", response},
-           {options.axis.has_value(), "--axis", "response, step, delay, compare", of_axes || compared},
-           {!options.commands.empty(), "--at", "response, step, delay, compare", of_axes || compared},
-           {options.before.has_value(), "--before", "response, step, delay, corner, circle",
-            contour || of_axes},
-           {options.recording.has_value(), "--recording", "compare", compared},
-           {options.columns.input.has_value(), "--in", "compare", compared},
-           {options.columns.output.has_value(), "--out", "compare", compared},
-           {options.unit != RecordedUnit::recognised, "--unit", "compare", compared},
-           {options.program.has_value(), "--program", "path", path},
-           {options.plane.has_value(), "--plane", "path", path},
-           {options.tolerance.has_value(), "--tolerance", "path", path},
-           {options.plant.has_value(), "--plant", "plant", plant},
-           {options.move.has_value(), "--move", "plant", plant},
-           {options.group.has_value(), "--group", "corner, circle, path", contour || path},
-           {options.contour.feeds.has_value(), "--feed", "corner, circle", contour},
-           {options.contour.orders.has_value(), "--order", "corner, circle", contour},
-           {options.contour.angle.has_value(), "--angle", "corner", options.kind == Kind::corner},
-           {options.contour.radius.has_value(), "--radius", "circle", options.kind == Kind::circle}}) {
-    if (!given || fits) continue;
-    throw Failure({.sentence = says::of_kinds,
-                   .arguments = {{"option", std::string(option)}, {"kinds", std::string(kinds)}}});
+void require_parts(PlotOptions const& options) {
+  if (options.kind == Kind::path && !options.program)
+    throw Failure({.sentence = says::path_needs, .arguments = {}});
+  if (options.kind == Kind::compare && !options.recording) {
+    throw Failure({.sentence = says::compare_needs, .arguments = {}});
   }
-  if (path && !options.program) throw Failure({.sentence = says::path_needs, .arguments = {}});
-  if (compared && !options.recording) throw Failure({.sentence = says::compare_needs, .arguments = {}});
-  if (plant && (!options.plant || !options.move)) {
+  if (options.kind == Kind::plant && (!options.plant || !options.move)) {
     throw Failure({.sentence = says::plant_needs, .arguments = {}});
   }
 }
@@ -311,7 +287,8 @@ ExitStatus plot(Invocation const& invocation) {
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
-  refuse_mixture(options);
+  command_line.refuse_others(word_of(options.kind));
+  require_parts(options);
   options.target.check();
   std::vector<std::string> inputs{*options.input};
   for (auto const& other :

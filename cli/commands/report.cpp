@@ -46,7 +46,9 @@ void declare(CommandLine& command_line, ReportOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_reported);
   command_line.value("-o,--output", "FILE.html", options.output, says::option_page);
   command_line.value("--before", "OTHER", options.before, says::option_earlier);
-  declare_contour_words(command_line, options.contour, ContourWords::Shown::shapes);
+  declare_feeds(command_line, options.contour);
+  declare_angle(command_line, options.contour);
+  declare_radius(command_line, options.contour);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, options.alone);
 }
@@ -84,6 +86,7 @@ struct Earlier {
   std::unique_ptr<ComparedMachine> before, after;
   std::optional<MachineDifference> difference = std::nullopt;
   std::optional<image::RuntimeHost> host = std::nullopt;
+  std::optional<image::StepAnswers> steps = std::nullopt;
 
   /// Errors are printed.
   void read(ReportOptions const& options, CheckJob const& job, Invocation const& invocation, bool color) {
@@ -91,7 +94,9 @@ struct Earlier {
     after = compared_machine(*options.input, job, printed_errors(invocation, color));
     if (!before || !after) return;
     difference.emplace(compare_machines(*before, *after, false));
-    if (before->image) host.emplace(start_runtime(*options.before, *before->image));
+    if (!before->image) return;
+    host.emplace(start_runtime(*options.before, *before->image));
+    steps.emplace(before->image->bytes.bytes(), before->image->contents);
   }
 };
 
@@ -165,7 +170,8 @@ ExitStatus report(Invocation const& invocation) {
         ShownDifference{.before = *options.before, .after = *options.input, .difference = *old.difference});
     subject.difference = &*difference;
     if (subject.plots && old.host) {
-      subject.plots->before.emplace(PlottedImage{.file = *old.before->image, .host = *old.host});
+      subject.plots->before.emplace(
+          PlottedImage{.file = *old.before->image, .host = *old.host, .steps = &*old.steps});
     }
   }
   write(report_page(subject), *options.output, invocation);

@@ -39,7 +39,7 @@ std::string row(CommandDescription const& command, OptionDescription const& opti
   bool const needs_value = !option.shown.empty() && !option.shown.starts_with('[') && !option.names.empty();
   if (needs_value) text += offer_for(option) == Offer::files ? " -r" : " -x";
   if (needs_value || option.names.empty()) text += offered(option);
-  if (!option.names.empty()) text += " -d " + in_quotes(option.meaning.in(Language::english));
+  if (!option.names.empty()) text += " -d " + in_quotes(meaning_of(option, Language::english));
   return text + "\n";
 }
 

@@ -115,7 +115,7 @@ class Page {
   }
 
   void row(OptionDescription const& option) {
-    text += ".TP\n" + heading(option) + "\n" + filled(say(option.meaning));
+    text += ".TP\n" + heading(option) + "\n" + filled(meaning_of(option, language_));
   }
 
   void rows(std::vector<OptionDescription> const& options, bool named) {

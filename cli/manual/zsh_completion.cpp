@@ -63,7 +63,7 @@ std::string specifications(OptionDescription const& option) {
     bool const is_letter = name.size() == 2;
     std::string_view const ending = is_optional ? "=-" : is_letter ? "+" : "=";
     text += fmt::format(" \\\n        '{}{}{}[{}]{}'", exclusion, name, value.empty() ? "" : ending,
-                        in_quotes(option.meaning.in(Language::english)), value);
+                        in_quotes(meaning_of(option, Language::english)), value);
   }
   return text;
 }

@@ -87,4 +87,9 @@ Offer offer_for(OptionDescription const& option) {
   return is_file ? Offer::files : Offer::nothing;
 }
 
+std::string meaning_of(OptionDescription const& option, Language language) {
+  std::string const meaning(option.meaning.in(language));
+  return option.only_for.empty() ? meaning : meaning + " (--kind " + option.only_for + ")";
+}
+
 }  // namespace axisc::cli

@@ -19,6 +19,7 @@ struct OptionDescription {
   SentenceRef meaning = says::as_given;
   std::vector<std::string> values = {};  ///< where only these are allowed
   bool repeats = false;                  ///< may be given several times
+  std::string only_for = {};  ///< values of --kind with which it means something: "path, plant"; empty: all
 };
 
 struct CommandDescription {
@@ -32,6 +33,9 @@ struct CommandDescription {
 
 /// "-o, --output FILE", "--fix[=all]", "INPUT...".
 [[nodiscard]] std::string heading_of(OptionDescription const& option, Language language);
+
+/// What an option means, with the kinds that it is for.
+[[nodiscard]] std::string meaning_of(OptionDescription const& option, Language language);
 
 /// "axisc", "axisc-lint": the name of the manual page.
 [[nodiscard]] std::string page_name(CommandDescription const& command);

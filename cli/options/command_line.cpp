@@ -19,6 +19,7 @@
 
 namespace axisc::cli::says {
 
+constexpr Sentence of_kinds{"{option} belongs to --kind {kinds}", "{option} gehört zu --kind {kinds}"};
 constexpr Sentence unknown_option{
     "\"axisc {command}\" has no option {option}; `axisc {command} --help` lists them",
     "\"axisc {command}\" hat keine Option {option}; `axisc {command} --help` nennt alle"};
@@ -128,6 +129,7 @@ CommandLine::Declared& CommandLine::declare(Takes takes, std::string_view names,
   row.names = names;
   row.shown = shown;
   row.meaning = meaning;
+  row.only_for = only_for_;
   // Placeholders of arguments are capitals: "CODE|PARAMETER".
   bool const are_values =
       !names.empty() || shown.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string_view::npos;
@@ -297,6 +299,16 @@ void CommandLine::require(bool given, std::string_view argument) const {
                  .arguments = {{"argument", placeholder_in(language_, argument)}, {"command", command_}}});
 }
 
+void CommandLine::refuse_others(std::string_view kind) const {
+  for (auto const& row : parser_->declared) {
+    auto const kinds = split_list(row.only_for);
+    bool const fits = kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    if (fits || !row.is_given()) continue;
+    throw Failure(
+        {.sentence = says::of_kinds, .arguments = {{"option", row.names}, {"kinds", row.only_for}}});
+  }
+}
+
 std::string CommandLine::help() const {
   auto const say = [this](SentenceRef text) {
     return render({.sentence = text, .arguments = {}}, language_);
@@ -309,7 +321,7 @@ std::string CommandLine::help() const {
   for (auto const& row : parser_->declared) {
     auto const heading = heading_of(row, language_);
     if (row.names.empty()) usage += " " + heading;
-    (row.names.empty() ? rows : options) += help_row(heading, say(row.meaning), width);
+    (row.names.empty() ? rows : options) += help_row(heading, meaning_of(row, language_), width);
   }
   return help_paragraphs(page.purpose, width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
          say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(page.examples, width);

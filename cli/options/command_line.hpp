@@ -61,6 +61,11 @@ class CommandLine {
         meaning);
   }
 
+  /// What is declared next means something only with these values of --kind, "path, plant"; empty: with all.
+  void only_for(std::string_view kinds) { only_for_ = kinds; }
+  /// Failure for an option that was given and means nothing with this kind.
+  void refuse_others(std::string_view kind) const;
+
   /// The text to print instead of executing the command (--help, --version), or none. Failure for an invalid command
   /// line.
   [[nodiscard]] std::optional<std::string> read(std::span<std::string const> arguments);
@@ -88,6 +93,7 @@ class CommandLine {
   [[noreturn]] void refuse_value(std::string_view complaint) const;
 
   std::string command_;
+  std::string_view only_for_;
   Language language_;
   ColorChoice color_ = ColorChoice::automatic;
   bool wants_help_ = false;

@@ -61,16 +61,24 @@ ContourRequest read_contour_words(ContourWords const& words) {
   return wanted;
 }
 
-void declare_contour_words(CommandLine& command_line, ContourWords& words, ContourWords::Shown shown) {
+void declare_feeds(CommandLine& command_line, ContourWords& words) {
   command_line.value("--feed", "F[,F...]", words.feeds, says::option_feed);
-  if (shown != ContourWords::Shown::shapes) {
-    command_line.value("--order", "N[,N...]", words.orders, says::option_order);
-  }
+}
+
+void declare_orders(CommandLine& command_line, ContourWords& words) {
+  command_line.value("--order", "N[,N...]", words.orders, says::option_order);
+}
+
+void declare_angle(CommandLine& command_line, ContourWords& words) {
   command_line.value("--angle", "DEGREES", words.angle, says::option_angle);
+}
+
+void declare_radius(CommandLine& command_line, ContourWords& words) {
   command_line.value("--radius", "MM", words.radius, says::option_radius);
-  if (shown == ContourWords::Shown::all) {
-    command_line.value("--tolerance", "MM", words.tolerance, says::option_tolerance);
-  }
+}
+
+void declare_tolerance(CommandLine& command_line, ContourWords& words) {
+  command_line.value("--tolerance", "MM", words.tolerance, says::option_tolerance);
 }
 
 }  // namespace axisc::cli

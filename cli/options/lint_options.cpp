@@ -25,11 +25,9 @@ constexpr Sentence changed_standard_input{
     "--changed-since geht nicht mit der Standardeingabe, die in keiner Revision steht"};
 constexpr Sentence changed_baseline{
     "--changed-since cannot be used with --write-baseline, which would record the findings of some inputs "
-    "only; "
-    "write the baseline without it",
+    "only; write the baseline without it",
     "--changed-since geht nicht zusammen mit --write-baseline, die nur die Befunde einiger Eingaben "
-    "festhielte; "
-    "die Baseline ohne es schreiben"};
+    "festhielte; die Baseline ohne es schreiben"};
 constexpr Sentence option_statistics{"print how often each code was found (text and json)",
                                      "ausgeben, wie oft jeder Code gefunden wurde (text und json)"};
 constexpr Sentence option_fix{

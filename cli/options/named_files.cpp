@@ -6,11 +6,9 @@ namespace axisc::cli::says {
 
 constexpr Sentence option_hook{
     "for hooks that name all files of a commit: other JSON, XML and project files, and files that settings "
-    "exclude, are "
-    "passed over as in a folder; @x.lis is a file",
+    "exclude, are passed over as in a folder; @x.lis is a file",
     "für Hooks, die alle Dateien eines Commits angeben: andere JSON-, XML- und Projektdateien und per "
-    "Einstellung "
-    "ausgeschlossene werden wie in einem Ordner übergangen; @x.lis ist eine Datei"};
+    "Einstellung ausgeschlossene werden wie in einem Ordner übergangen; @x.lis ist eine Datei"};
 
 }  // namespace axisc::cli::says
 

@@ -1,8 +1,6 @@
 #include "cli/output/answer_output.hpp"
 
-#include "system/process.hpp"
-
-#include <algorithm>
+#include "cli/terminal/printed_width.hpp"
 
 namespace axisc::cli::says {
 
@@ -40,12 +38,9 @@ void declare_format(CommandLine& command_line, presentation::Format& format, Tab
 
 void print(presentation::Document const& answer, presentation::Format format, Invocation const& invocation,
            CommandLine const& command_line) {
-  constexpr std::size_t narrowest = 40;
-  constexpr std::size_t usual = 80;
-  presentation::WriterOptions const options{
-      .language = invocation.language,
-      .width = std::max(system::terminal_width().value_or(usual), narrowest),
-      .color = use_color(command_line.color(), system::Stream::output)};
+  presentation::WriterOptions const options{.language = invocation.language,
+                                            .width = printed_width(),
+                                            .color = use_color(command_line.color(), system::Stream::output)};
   invocation.streams.out.write(presentation::write(answer, format, options));
 }
 

@@ -2,13 +2,15 @@
 
 #include "axisc/checking/report_format.hpp"
 #include "axisc/environment/failure.hpp"
+#include "cli/terminal/printed_width.hpp"
 
 namespace axisc::cli {
 
 ErrorSink printed_errors(Invocation const& invocation, bool color) {
   return {.language = invocation.language,
-          .take = [&err = invocation.streams.err,
-                   write = WriteOptions{.language = invocation.language, .color = color}](
+          .take = [&err = invocation.streams.err, write = WriteOptions{.language = invocation.language,
+                                                                       .color = color,
+                                                                       .width = printed_width()}](
                       std::vector<Finding> const& errors, SourceSet const& sources) {
             err.write(texts_of(errors, sources, write));
           }};

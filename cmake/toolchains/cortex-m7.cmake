@@ -1,5 +1,5 @@
-# Cross-builds for a microcontroller without an operating system: Cortex-M7 with double precision. Programs are linked
-# with a start-up file and a linker script of their own (tests/bare_metal).
+# Cross-builds for a microcontroller without an operating system: Cortex-M7 with double precision. Programs
+# are linked with a start-up file and a linker script of their own (tests/bare_metal).
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR cortex-m7)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)

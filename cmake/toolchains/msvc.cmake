@@ -1,5 +1,6 @@
-# The runtime as MSVC would see it, without MSVC: clang-cl with the few headers that it needs, and with every identifier refused that
-# GCC and Clang have and MSVC has not. Builds the library (.ci/msvc makes a DLL of it): cmake --preset msvc
+# The runtime as MSVC would see it, without MSVC: clang-cl with the few headers that it needs, and with every
+# identifier refused that GCC and Clang have and MSVC does not. Builds the library (.ci/msvc makes a DLL of
+# it): cmake --preset msvc
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR AMD64)
 set(CMAKE_C_COMPILER clang-cl-14)

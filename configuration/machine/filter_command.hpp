@@ -1,4 +1,4 @@
-// What a #FILTER command asks for, checked and free of its spelling.
+// A #FILTER command, checked and independent of its spelling.
 #pragma once
 
 #include "design/units.hpp"
@@ -9,9 +9,9 @@
 
 namespace axisc::machine {
 
-/// The keywords of #FILTER that decide which kernel an axis gets. What is absent keeps the axis list's value.
-/// Canonical: ORDER_TIME has become the order it means at the NC cycle time (0 below one cycle), and is dropped beside
-/// ORDER; AX_DEV and ACC_FACT, which do not touch the kernel, stand in FilterCommand.
+/// The keywords of #FILTER that decide which kernel an axis gets. Absent ones keep the axis list's value.
+/// Canonical: ORDER_TIME has become the order it means at the NC cycle time (0 below one cycle), and is
+/// dropped where ORDER is given; AX_DEV and ACC_FACT, which do not touch the kernel, are in FilterCommand.
 struct FilterParameters {
   std::optional<std::uint32_t> order;      ///< 0..200; 0 switches the filter off
   std::optional<double> share_percent;     ///< 0..100
@@ -36,12 +36,12 @@ struct FilterCommand {
   bool hsc = false;  ///< [HSC]: acts on the HSC filters, without parameters
   FilterParameters parameters;
   std::optional<double> tolerance =
-      std::nullopt;  ///< AX_DEV in mm (inch where the machine file says so); 0: no monitoring
+      std::nullopt;  ///< AX_DEV in mm (inch if the machine file sets it); 0: no monitoring
   std::optional<double> acceleration_factor = std::nullopt;  ///< ACC_FACT
 };
 
-/// The parameters in force after `command`, where `before` were those that earlier commands of the program gave: ON forgets
-/// them, without ON or OFF the command changes those that it names. OFF and [HSC] change none.
+/// The parameters in force after `command`, where `before` were set by earlier commands of the program: ON
+/// forgets them, without ON or OFF the command changes those that it names. OFF and [HSC] change none.
 [[nodiscard]] FilterParameters parameters_after(FilterParameters const& before, FilterCommand const& command);
 
 }  // namespace axisc::machine

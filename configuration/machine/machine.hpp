@@ -1,5 +1,5 @@
-// The checked machine: what the image is made from. No strings to interpret, no number without unit, optional
-// where a feature is off. A Machine exists only when no error was found.
+// The checked machine, from which the image is made. No strings to interpret, no number without unit,
+// optional where a feature is off. A Machine exists only when no error was found.
 #pragma once
 
 #include "configuration/machine/filter_command.hpp"
@@ -36,8 +36,8 @@ struct ConfiguredFilter {
 
 enum class KernelFamily : std::uint8_t { hsc = 1, fir = 2 };
 
-/// The linear-phase filter of an axis with the lists' values: filter_fir of type 1 to 4, or the HSC filter in filter[0].
-/// Present also where it is switched off: #FILTER may switch it on and change it.
+/// The linear-phase filter of an axis with the lists' values: filter_fir of type 1 to 4, or the HSC filter in
+/// filter[0]. Present also where it is switched off: #FILTER may switch it on and change it.
 struct ConfiguredKernel {
   KernelFamily family = KernelFamily::fir;
   std::uint32_t index = 0;  ///< i of filter[i] for HSC
@@ -103,11 +103,12 @@ using ContentReceiver = std::function<void(std::string_view)>;
 /// The bytes of an NC program, which are not kept in memory.
 struct StoredContent {
   std::uint64_t size = 0;
-  /// Reads them again, from the Files that the check had; throws SourceChanged where they are not what was checked.
+  /// Reads them again, from the Files that the check had; throws SourceChanged if they have changed since the
+  /// check.
   std::function<void(ContentReceiver const&)> read;
 };
 
-/// A list, or an NC program, as the image remembers it.
+/// A list, or an NC program, as it is recorded in the image.
 struct MachineList {
   std::string name;     ///< as the machine file names it; never an absolute path
   std::string content;  ///< of a list
@@ -120,8 +121,9 @@ struct MachineList {
 struct MachineGroup {
   std::string name;
   std::vector<std::size_t> axes;  ///< indices into Machine::axes, in the order of the machine file
-  /// The distinct parameter sets that are in force after the commands of the group's programs and of filter_sets, in the order of
-  /// their first use, in canonical form; without `#FILTER ON` alone, OFF and [HSC], which need none.
+  /// The distinct parameter sets that are in force after the commands of the group's programs and of
+  /// filter_sets, in the order of their first use, in canonical form; without `#FILTER ON` alone, OFF and
+  /// [HSC], which need none.
   std::vector<FilterParameters> filter_sets;
   std::vector<std::string> programs = {};  ///< paths of the NC programs that it runs
 };

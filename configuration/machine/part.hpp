@@ -1,4 +1,5 @@
-// Some axes of a machine as a machine of its own: what is asked of a channel costs as much as the channel, not as the machine.
+// Some axes of a machine as a machine of its own, so that a question about a channel costs as much as the
+// channel, not as the machine.
 #pragma once
 
 #include "configuration/machine/machine.hpp"
@@ -10,8 +11,8 @@
 namespace axisc::machine {
 
 struct MachinePart {
-  /// The axes in the given order, then the gantry masters that they follow; the channels that have one of the axes, with
-  /// these alone. Without lists and values, which nothing that moves depends on.
+  /// The axes in the given order, then the gantry masters that they follow; the channels that have one of the
+  /// axes, with these alone. Without lists and values, on which no motion depends.
   Machine machine;
   std::vector<std::size_t> groups;  ///< of each channel its index in the whole machine
 };

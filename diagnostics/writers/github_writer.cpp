@@ -10,8 +10,8 @@
 namespace axisc {
 namespace {
 
-/// A command ends with its line; percent signs introduce what was escaped. Properties are separated by commas and begin
-/// after a colon, so both are escaped there too. Other characters are printable.
+/// A command ends with its line; percent signs introduce what was escaped. Properties are separated by commas
+/// and begin after a colon, so both are escaped there too. Other characters are printable.
 std::string escaped(std::string_view text, bool is_property) {
   std::string result;
   while (!text.empty()) {

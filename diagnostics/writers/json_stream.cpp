@@ -52,7 +52,7 @@ std::string escape_invisible(std::string json) {
   std::string escaped;
   for (std::string_view rest = json; !rest.empty();) {
     DecodedCharacter const character = decode_utf8(rest);
-    // What is invisible in ASCII is escaped already, or between the values.
+    // Invisible characters of ASCII are escaped already, or between the values.
     if (character.value >= delete_character && !is_visible(character.value)) {
       append_escape(escaped, character.value);
     } else {

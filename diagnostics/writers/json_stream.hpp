@@ -57,8 +57,8 @@ class JsonStream {
   std::string& out_;
   std::size_t indent_ = 0;
   bool is_one_line_ = false;
-  bool is_first_ = true;  ///< nothing stands in the innermost brackets so far
-  bool has_line_ = true;  ///< the value stands behind its key, or is the outermost
+  bool is_first_ = true;  ///< the innermost brackets are still empty
+  bool has_line_ = true;  ///< the value follows its key, or is the outermost
 };
 
 }  // namespace axisc

@@ -1,5 +1,5 @@
 // One writer per format of a run's findings. Findings are data until they come here, and each is written
-// once, in the order of the report. Writers append text to what the caller prints.
+// once, in the order of the report. Writers append text that the caller prints.
 #pragma once
 
 #include "diagnostics/writers/writers.hpp"
@@ -28,7 +28,7 @@ class ReportWriter {
   /// One finding. `fingerprint` (see fingerprint.hpp) is empty unless the format has fingerprints.
   virtual void add(std::string& out, Finding const& finding, SourceSet const& sources,
                    std::string_view fingerprint) = 0;
-  /// A finding about the run as a whole, which some formats tell apart.
+  /// A finding about the run as a whole, which some formats list separately.
   virtual void add_notice(std::string& out, Finding const& finding, SourceSet const& sources,
                           std::string_view fingerprint) {
     add(out, finding, sources, fingerprint);

@@ -16,7 +16,7 @@ struct SarifResult {
   std::size_t rule_index_at = 0;  ///< where it belongs in `text`
 };
 
-/// Replaces `result`, whose memory serves again. Indented as in a run of the document.
+/// Replaces `result`, reusing its memory. Indented as in a run of the document.
 void write_sarif_result(SarifResult& result, Finding const& finding, SourceSet const& sources,
                         std::string_view fingerprint, ReportContext const& context, Language language);
 

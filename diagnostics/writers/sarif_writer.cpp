@@ -189,7 +189,7 @@ class SarifReport final : public ReportWriter {
   SarifResult written_;  ///< the last one
   std::deque<SarifResult> results_;
   std::set<Code> codes_;     ///< of all findings
-  std::set<SourceId> used_;  ///< by findings of the input at hand
+  std::set<SourceId> used_;  ///< by findings of the current input
   std::set<std::string> shown_;
   std::vector<Artifact> artifacts_;
   std::vector<Notice> notices_;

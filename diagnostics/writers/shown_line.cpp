@@ -23,23 +23,35 @@ std::size_t count_characters(std::string_view line) {
   return count;
 }
 
-// A third of the window is before the marked part, because names are left of values.
-std::size_t begin_of_window(std::size_t mark, std::size_t length) {
-  if (length <= longest_shown_line) return 0;
-  constexpr std::size_t before = longest_shown_line / 3;
-  return std::min(mark - std::min(mark, before), length - longest_shown_line);
+struct Window {
+  std::size_t begin = 0, end = 0;
+};
+
+/// The beginning of the line, which contains the name, if the whole marked part is in it; otherwise a third
+/// of the window is before the marked part. A sign takes one place at each end that is cut.
+Window window_around(std::size_t mark, std::size_t mark_end, std::size_t length, std::size_t room) {
+  if (length <= room) return {.begin = 0, .end = length};
+  if (std::min(mark_end, length) < room) return {.begin = 0, .end = room - 1};
+  std::size_t const marked = std::min(mark_end, length) - mark;
+  std::size_t const inside = room - 2;
+  std::size_t const before = std::min(inside / 3, inside - std::min(inside, marked));
+  std::size_t const begin = mark - std::min(mark, before);
+  if (begin + room - 1 >= length) return {.begin = length - (room - 1), .end = length};
+  return {.begin = begin, .end = begin + inside};
 }
 
 }  // namespace
 
-ShownLine::ShownLine(std::string_view line, MarkedPart marked)
+ShownLine::ShownLine(std::string_view line, MarkedPart marked, std::size_t room)
     : line_(line),
       is_plain_(stays_as_it_is(line)),
       length_(is_plain_ ? line.size() : count_characters(line)),
       mark_(std::min(marked.begin, length_)),
-      mark_end_(marked.end),
-      window_begin_(begin_of_window(mark_, length_)),
-      window_end_(std::min(window_begin_ + longest_shown_line, length_)) {}
+      mark_end_(marked.end) {
+  auto const window = window_around(mark_, std::max(mark_end_, mark_), length_, room);
+  window_begin_ = window.begin;
+  window_end_ = window.end;
+}
 
 template <class Take>
 void ShownLine::for_each(std::size_t begin, std::size_t end, Take take) const {

@@ -2,8 +2,8 @@
 #include "diagnostics/sentences.hpp"
 #include "diagnostics/terminal.hpp"
 #include "diagnostics/writers/fix_preview.hpp"
-#include "diagnostics/writers/report_writer.hpp"
 #include "diagnostics/writers/shown_line.hpp"
+#include "diagnostics/writers/writers.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -60,7 +60,12 @@ constexpr Pointer related_pointer{.arrow = ":::", .mark = '-', .style = Style::g
 class TextWriter {
  public:
   TextWriter(std::string& out, Finding const& finding, SourceSet const& sources, WriteOptions const& options)
-      : out_(out), finding_(finding), sources_(sources), language_(options.language), paint_(options.color) {
+      : out_(out),
+        finding_(finding),
+        sources_(sources),
+        language_(options.language),
+        paint_(options.color),
+        width_(options.width) {
     if (finding.place) location_ = locate(*finding.place, sources);
     if (finding.fix) blocks_ = preview(*finding.fix, sources);
     gutter_width_ = digits_of(largest_line_number());
@@ -99,6 +104,13 @@ class TextWriter {
       for (PreviewLine const& line : block.lines) largest = std::max(largest, line.number);
     }
     return largest;
+  }
+
+  /// The width left for a line of a source.
+  [[nodiscard]] std::size_t room_beside_gutter() const {
+    constexpr std::size_t narrowest = 24;
+    constexpr std::size_t sign_and_blanks = 3;
+    return std::max(width_, gutter_width_ + sign_and_blanks + narrowest) - gutter_width_ - sign_and_blanks;
   }
 
   void write_sentence(Message const& message) {
@@ -163,7 +175,7 @@ class TextWriter {
         location.end.line == location.begin.line ? location.end.column - 1 : std::string_view::npos;
     std::string room;
     std::string_view const line = source.utf8(source.shown_line(location.begin.line), room);
-    ShownLine const shown(line, {.begin = begin, .end = end});
+    ShownLine const shown(line, {.begin = begin, .end = end}, room_beside_gutter());
     paint_.begin(out_, Style::gutter);
     write_line_number(location.begin.line, "|");
     paint_.end(out_);
@@ -236,7 +248,8 @@ class TextWriter {
   }
 
   void write_preview_line(PreviewLine const& line) {
-    ShownLine const shown(line.text, {.begin = line.first_change, .end = line.first_change});
+    ShownLine const shown(line.text, {.begin = line.first_change, .end = line.first_change},
+                          room_beside_gutter());
     Style const style = line.added ? Style::added : Style::removed;
     paint_.begin(out_, Style::gutter);
     write_line_number(line.number, "");
@@ -256,32 +269,10 @@ class TextWriter {
   SourceSet const& sources_;
   Language language_;
   Painter paint_;
+  std::size_t width_;
   Location location_;  ///< of the finding's own place
   std::vector<PreviewBlock> blocks_;
   std::size_t gutter_width_ = 1;
-};
-
-class TextReport final : public ReportWriter {
- public:
-  explicit TextReport(WriteOptions const& options) : options_(options) {}
-
-  void add(std::string& out, Finding const& finding, SourceSet const& sources,
-           std::string_view /*fingerprint*/) override {
-    TextWriter(out, finding, sources, options_).write();
-    out += '\n';
-  }
-
-  void add_failure(std::string const& /*sentence*/) override { ++failures_; }
-
-  void end(Print const& print, RunFacts const& run) override {
-    if (run.statistics && !run.codes.empty()) print(write_text_statistics(run.codes, options_) + "\n");
-    if (!run.has_summary) return;
-    print(write_text_facts(run, options_) + write_text_summary(run.files, run.counts, options_, failures_));
-  }
-
- private:
-  WriteOptions options_;
-  std::size_t failures_ = 0;
 };
 
 }  // namespace
@@ -290,10 +281,6 @@ std::string write_text(Finding const& finding, SourceSet const& sources, WriteOp
   std::string text;
   TextWriter(text, finding, sources, options).write();
   return text;
-}
-
-std::unique_ptr<ReportWriter> text_report(WriteOptions const& options) {
-  return std::make_unique<TextReport>(options);
 }
 
 }  // namespace axisc

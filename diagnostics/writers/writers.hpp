@@ -1,5 +1,5 @@
-// Findings as text, and what reports of several formats consist of. Everything returns text and never prints
-// it.
+// Findings as text, and the parts that reports of several formats share. Functions return text and never
+// print it.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -7,6 +7,7 @@
 #include "diagnostics/page.hpp"
 #include "diagnostics/repository_path.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +17,8 @@ namespace axisc {
 
 struct WriteOptions {
   Language language = Language::english;
-  bool color = false;  ///< ANSI colours in the text form
+  bool color = false;      ///< ANSI colours in the text form
+  std::size_t width = 80;  ///< columns into which lines of sources are cut in the text form, at least 40
 };
 
 struct AppliedFix {
@@ -28,13 +30,13 @@ struct AppliedFix {
 /// Numbers of the findings that are not shown, by reason.
 struct FixFacts {
   std::size_t applied = 0;
-  std::vector<AppliedFix> named = {};  ///< of those, what text names one by one
+  std::vector<AppliedFix> named = {};  ///< of those, the ones that text lists individually
   std::size_t left_out = 0;            ///< fixes that would have led to further findings
 };
 struct BaselineFacts {
   std::size_t hidden = 0;
-  std::vector<Identity> stale;                         ///< entries that nothing answers to any more
-  std::optional<std::size_t> recorded = std::nullopt;  ///< a baseline was written with so many entries
+  std::vector<Identity> stale;                         ///< entries that no finding matches any more
+  std::optional<std::size_t> recorded = std::nullopt;  ///< a baseline was written with this many entries
 };
 
 /// The numbers in a run's summary.
@@ -77,27 +79,30 @@ struct ReportContext {
 ///        = fix: …
 ///     12 + filter[0].time_constant          5000       # dead time of the drive
 /// Columns are code points. Tabs stay tabs, in the line and under it, so that the caret is under its token.
-/// Lines above 160 characters are cut around the caret with "…"; control characters are shown as pictures.
+/// Lines of sources are cut around the caret with "…" where they are wider than the terminal; control
+/// characters are shown as pictures.
+/// Findings with the same words about the same text are printed once; their other places follow at the end of
+/// the report.
 /// Related places follow as further snippets after ":::", underlined with dashes. A finding without place
 /// shows its file only. Ends with a line end; findings are meant to be separated by an empty line.
 [[nodiscard]] std::string write_text(Finding const& finding, SourceSet const& sources,
                                      WriteOptions const& options);
 
-/// The last line, with its line end: "2 files: 3 errors, 1 warning", "1 file: no findings". `failures` inputs could not
-/// be checked, so that nothing is known about them.
+/// The last line, with its line end: "2 files: 3 errors, 1 warning", "1 file: no findings". `failures` inputs
+/// could not be checked, so that nothing is known about them.
 [[nodiscard]] std::string write_text_summary(std::size_t files, FindingCounts const& counts,
                                              WriteOptions const& options, std::size_t failures = 0);
 
-/// The lines between the findings and the summary: stale entries of the baseline, and what was fixed. May be
-/// empty.
+/// The lines between the findings and the summary: stale entries of the baseline, and the applied fixes. May
+/// be empty.
 [[nodiscard]] std::string write_text_facts(RunFacts const& run, WriteOptions const& options);
 
 /// A table, one line per code: count, code, name, and how many of them carry a fix.
 [[nodiscard]] std::string write_text_statistics(std::vector<CodeCount> const& counts,
                                                 WriteOptions const& options);
 
-/// Everything a finding says, for formats that have one message only: the headline, then a line for each of
-/// label, notes, control, help and fix.
+/// The complete text of a finding, for formats that have one message only: the headline, then a line for each
+/// of label, notes, control, help and fix.
 [[nodiscard]] std::string whole_message(Finding const& finding, Language language,
                                         Values values = Values::as_given);
 

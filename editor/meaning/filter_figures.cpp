@@ -3,6 +3,7 @@
 #include "design/filter_analysis.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/repository_path.hpp"
+#include "editor/reading/requests.hpp"
 #include "presentation/pictures/svg.hpp"
 #include "validator/views/axis_views.hpp"
 
@@ -34,10 +35,6 @@ constexpr int shown_digits = 3;
 constexpr double floor_db = -60;
 constexpr std::size_t points = 160;
 
-std::string say(SentenceRef sentence, std::vector<Argument> arguments, Language language) {
-  return render({.sentence = sentence, .arguments = std::move(arguments)}, language);
-}
-
 validator::FilterView const* filter_named(std::vector<validator::FilterView> const& filters,
                                           std::string_view name) {
   static constexpr std::array families = {"filter[", "lr_param.add_interface.filter["};
@@ -63,7 +60,7 @@ class Magnitude {
     }
   }
 
-  /// Where the magnitude falls below -3 dB for the first time, or rises above it.
+  /// The lowest frequency at which the magnitude crosses -3 dB.
   [[nodiscard]] std::optional<double> corner() const {
     double const limit = 10 * std::log10(0.5);
     bool const is_below = curve_.front().y < limit;
@@ -82,13 +79,13 @@ class Magnitude {
     pictures::Figure figure;
     figure.title = described;
     figure.description = described;
-    figure.x = {.quantity = say(says::frequency, {}, language),
+    figure.x = {.quantity = say(says::frequency, language),
                 .unit = "Hz",
                 .scale = pictures::Scale::logarithmic,
                 .low = curve_.front().x,
                 .high = curve_.back().x};
     pictures::Panel panel;
-    panel.y = {.quantity = say(says::magnitude, {}, language),
+    panel.y = {.quantity = say(says::magnitude, language),
                .unit = "dB",
                .low = floor_db,
                .high = std::max(5.0, std::ceil(highest / 5) * 5)};
@@ -113,21 +110,19 @@ std::string filter_figures(OpenList const& list, std::string_view name, bool mar
   if (filter == nullptr || filter->is_hsc()) return {};
   if (design == nullptr) {
     bool const is_off = !filter->active() && !filter->unusable();
-    return "\n" + say(is_off ? says::switched_off : says::not_usable, {}, language) + "\n";
+    return "\n" + say(is_off ? says::switched_off : says::not_usable, language) + "\n";
   }
   constexpr std::uint64_t longest = 100'000;
   double const delay = design::chain_delay_cycles({design, 1}) * cycle_time.microseconds() / 1000;
   Magnitude const magnitude(*design, cycle_time);
   auto const figures =
-      say(says::figures,
+      say(says::figures, language,
           {{"delay", format_rounded(delay, shown_digits)},
-           {"overshoot", format_rounded(100 * design::step_overshoot({design, 1}, longest), shown_digits)}},
-          language);
+           {"overshoot", format_rounded(100 * design::step_overshoot({design, 1}, longest), shown_digits)}});
   auto const corner = magnitude.corner();
-  auto text =
-      corner ? say(says::corner, {{"figures", figures}, {"frequency", format_rounded(*corner, shown_digits)}},
-                   language)
-             : say(says::no_corner, {{"figures", figures}}, language);
+  auto const text = corner ? say(says::corner, language,
+                                 {{"figures", figures}, {"frequency", format_rounded(*corner, shown_digits)}})
+                           : say(says::no_corner, language, {{"figures", figures}});
   if (!markdown) return "\n" + text + "\n";
   auto const title = std::string(name.substr(0, name.rfind('.')));
   return "\n" + text + "\n\n![" + title + "](data:image/svg+xml," +

@@ -1,4 +1,4 @@
-// The axes that a channel list or a machine file names lead to their lists.
+// From the axes that a channel list or a machine file names to their lists.
 #pragma once
 
 #include "editor/reading/machine_reading.hpp"
@@ -9,8 +9,8 @@
 
 namespace axisc::editor {
 
-/// The list of the axis that a byte of the document names: by its number in a channel list, by its name in the groups and
-/// gantries of a machine file.
+/// The list of the axis that is named at a byte of the document: by its number in a channel list, by its name
+/// in the groups and gantries of a machine file.
 [[nodiscard]] std::optional<std::string> list_of_named_axis(MachineReading const& reading,
                                                             Document const& document, std::size_t offset);
 

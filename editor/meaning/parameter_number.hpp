@@ -1,4 +1,4 @@
-// The numbers of parameters in references and comments: P-AXIS-00140, P-CHAN-00035.
+// Parameter numbers in references and comments: P-AXIS-00140, P-CHAN-00035.
 #pragma once
 
 #include "schema/list_kind.hpp"
@@ -13,11 +13,11 @@ namespace axisc::editor {
 struct ParameterNumber {
   schema::ListKind kind{};
   std::uint16_t number = 0;
-  std::size_t begin = 0;  ///< bytes of the text
+  std::size_t begin = 0;  ///< in bytes
   std::size_t end = 0;
 };
 
-/// The number that a byte of the text is in, or after.
+/// The number around a byte of the text, or right before it.
 [[nodiscard]] std::optional<ParameterNumber> parameter_number_at(std::string_view text, std::size_t offset);
 
 }  // namespace axisc::editor

@@ -3,6 +3,7 @@
 #include "design/kernel_design.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
+#include "editor/reading/requests.hpp"
 #include "grammar/nc_program.hpp"
 #include "validator/commands/command_check.hpp"
 #include "validator/commands/command_keywords.hpp"
@@ -35,10 +36,6 @@ namespace {
 
 constexpr int shown_digits = 3;
 
-std::string say(SentenceRef sentence, std::vector<Argument> arguments, Language language) {
-  return render({.sentence = sentence, .arguments = std::move(arguments)}, language);
-}
-
 SentenceRef name_of(design::KernelType type) {
   switch (type) {
     case design::KernelType::moving_average:
@@ -59,7 +56,7 @@ std::string line_of_axis(validator::LoadedAxis const& axis, design::CycleTime cy
                          machine::FilterParameters const& given, Language language) {
   auto const delay = validator::axis_delay(axis.merged.values, cycle_time);
   bool const has_kernel = delay && delay->kernel && delay->kernel->family == machine::KernelFamily::fir;
-  if (!has_kernel) return say(says::axis_without, {{"axis", axis.name}}, language);
+  if (!has_kernel) return say(says::axis_without, language, {{"axis", axis.name}});
   auto specification = delay->kernel->specification;
   if (given.order) specification.order = *given.order;
   if (given.share_percent) specification.share_percent = *given.share_percent;
@@ -67,18 +64,17 @@ std::string line_of_axis(validator::LoadedAxis const& axis, design::CycleTime cy
   if (given.quality) specification.quality = *given.quality;
   bool const is_off = specification.order == 0 || (specification.type == design::KernelType::time_delay &&
                                                    specification.order > design::longest_kernel_delay);
-  if (is_off) return say(says::axis_without, {{"axis", axis.name}}, language);
+  if (is_off) return say(says::axis_without, language, {{"axis", axis.name}});
   auto const design = design::design_kernel(specification, cycle_time);
-  return say(
-      says::axis_kernel,
-      {{"axis", axis.name},
-       {"kernel", say(name_of(specification.type), {}, language)},
-       {"order", std::to_string(specification.order)},
-       {"delay", format_rounded(design.group_delay_cycles * cycle_time.microseconds() / 1000, shown_digits)}},
-      language);
+  return say(says::axis_kernel, language,
+             {{"axis", axis.name},
+              {"kernel", say(name_of(specification.type), language)},
+              {"order", std::to_string(specification.order)},
+              {"delay",
+               format_rounded(design.group_delay_cycles * cycle_time.microseconds() / 1000, shown_digits)}});
 }
 
-/// Where the command ends: its name, or its last keyword.
+/// The end of the command: after `]`, or at the end of its line.
 std::uint32_t end_of(grammar::NcCommand const& command, std::string_view text) {
   auto const line_end = std::min(text.find_first_of("\r\n", command.name.begin), text.size());
   auto const bracket = text.find(']', command.name.begin);
@@ -108,12 +104,12 @@ std::optional<CommandHelp> command_help(std::string_view text, std::size_t offse
     if (!is_here) continue;
     CommandHelp help{.text = {}, .begin = command.name.begin, .end = end};
     if (checked.command->filter_switch == machine::FilterSwitch::off) {
-      help.text = say(says::switched_off, {}, language) + "\n";
+      help.text = say(says::switched_off, language) + "\n";
     } else if (checked.command->hsc) {
-      help.text = say(says::hsc, {}, language) + "\n";
+      help.text = say(says::hsc, language) + "\n";
     } else {
-      auto const parameters = in_force.empty() ? say(says::axis_lists, {}, language) : to_text(in_force);
-      help.text = say(says::in_force, {{"parameters", parameters}}, language) + "\n";
+      auto const parameters = in_force.empty() ? say(says::axis_lists, language) : to_text(in_force);
+      help.text = say(says::in_force, language, {{"parameters", parameters}}) + "\n";
       if (machine != nullptr && !machine->axes.empty()) help.text += "\n";
       for (std::size_t i = 0; machine != nullptr && i < machine->axes.size(); ++i) {
         help.text += line_of_axis(machine->axes[i], limits.cycle_time, in_force, language) + "\n";

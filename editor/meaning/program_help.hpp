@@ -1,4 +1,4 @@
-// The #FILTER commands of NC programs, for who writes them.
+// Help for the #FILTER commands of NC programs.
 #pragma once
 
 #include "diagnostics/sentence.hpp"
@@ -13,18 +13,19 @@
 namespace axisc::editor {
 
 struct CommandHelp {
-  std::string text;  ///< Markdown that can be read as it is
+  std::string text;  ///< Markdown that is also readable as plain text
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// What the command at a byte puts in force, with the kernel of each axis of the machine; none where there is no command, or
-/// one that depends on variables or is wrong. Loops and calls are not followed: commands count as they stand.
+/// The effect of the command at a byte, with the kernel of each axis of the machine; none if there is no
+/// command, or if it is wrong or depends on variables. Loops and calls are not followed: commands apply in
+/// the order of the text.
 [[nodiscard]] std::optional<CommandHelp> command_help(std::string_view text, std::size_t offset,
                                                       validator::LoadedMachine const* machine,
                                                       Language language);
 
-/// What may follow the text of a line up to the cursor: commands, switches, keywords.
+/// Commands, switches and keywords that can continue a line, given its text up to the cursor.
 [[nodiscard]] std::vector<std::string> command_words(std::string_view typed);
 
 }  // namespace axisc::editor

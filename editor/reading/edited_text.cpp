@@ -28,7 +28,7 @@ std::size_t EditedText::offset(TextPosition position) const {
 
 void EditedText::replace(std::size_t begin, std::size_t end, std::string_view inserted) {
   text_.replace(begin, end - begin, inserted);
-  // Whether a line begins somewhere depends on the bytes on both sides of the place.
+  // A line may begin or end at either end of the inserted text: CR and LF can meet there.
   std::size_t const inserted_end = begin + inserted.size();
   std::vector<std::size_t> found;
   for (std::size_t i = begin; i <= inserted_end; ++i) {

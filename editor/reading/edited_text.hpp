@@ -1,4 +1,4 @@
-// A text while a client's edits arrive: many edits in one message cost as much as their lines, not each the whole text.
+// A text under edits: many edits in one message do not each cost a pass over the whole text.
 #pragma once
 
 #include "editor/reading/text_positions.hpp"
@@ -14,19 +14,19 @@ class EditedText {
  public:
   EditedText(std::string text, PositionEncoding encoding);
 
-  /// As offset_of().
+  /// As TextLines, for the current text.
   [[nodiscard]] std::size_t offset(TextPosition position) const;
-  /// Cost: the bytes and lines after `begin`, moved at once.
+  /// Cost: moving the bytes and line starts after `begin`.
   void replace(std::size_t begin, std::size_t end, std::string_view inserted);
   [[nodiscard]] std::string take() && { return std::move(text_); }
 
  private:
-  /// After LF, CRLF or CR, and at 0.
+  /// True at 0, and after LF, CRLF or CR.
   [[nodiscard]] bool begins_line(std::size_t offset) const;
 
   std::string text_;
   PositionEncoding encoding_;
-  std::vector<std::size_t> begins_;  ///< of the lines
+  std::vector<std::size_t> begins_;  ///< start of each line
 };
 
 }  // namespace axisc::editor

@@ -1,4 +1,4 @@
-// A machine as the open documents and the disk have it at one moment: read once, checked once, however many requests ask.
+// A snapshot of a machine from open documents and the disk: read once and checked once for all requests.
 #pragma once
 
 #include "axisc/workspace/buffers.hpp"
@@ -17,20 +17,20 @@ namespace axisc::editor {
 
 class MachineReading {
  public:
-  /// `path` is the machine's input. What the arguments refer to outlives the reading; no document that it depends on
-  /// changes meanwhile, and none is opened or closed.
+  /// `path` is the machine's input. `options` and the documents of `files` outlive this object. While it
+  /// lives, no document that it depends on changes, and none is opened or closed.
   MachineReading(Buffers files, std::string path, OptionsOf const& options);
   MachineReading(MachineReading const&) = delete;
   MachineReading& operator=(MachineReading const&) = delete;
 
   [[nodiscard]] Buffers const& files() const { return files_; }
   [[nodiscard]] SourceSet const& sources() const { return sources_; }
-  /// Null where the input cannot be read.
+  /// Null if the input cannot be read.
   [[nodiscard]] validator::LoadedMachine const* machine() const { return machine_ ? &*machine_ : nullptr; }
-  /// In output order. What concerns no file is in the machine's.
+  /// In output order. Findings without a file belong to the machine's input.
   [[nodiscard]] std::vector<Finding> const& findings();
   [[nodiscard]] OpenList const& list(Document const& document);
-  /// What was read depends on the text of the document.
+  /// The text of the document was read.
   [[nodiscard]] bool depends_on(Document const& document) const {
     return files_.has_read(document) || lists_.contains(&document);
   }

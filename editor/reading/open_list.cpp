@@ -4,6 +4,7 @@
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
 #include "configuration/xml_names.hpp"
+#include "validator/views/units_text.hpp"
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ schema::ListKind kind_of(SourceText const& text) {
 
 void add_lines(validator::LoadedList const& list, schema::Slot slot, std::vector<Place>& places) {
   for (std::size_t i = 0; i < list.tree.assignments.size(); ++i) {
-    if (list.readings.slot(i) != slot) continue;
+    if (list.line_values.slot(i) != slot) continue;
     places.push_back({.source = list.source, .span = list.tree.assignments[i].name});
   }
 }
@@ -72,6 +73,10 @@ grammar::Assignment const* OpenList::line_at(std::size_t offset) const {
       tree_.assignments.begin(), tree_.assignments.end(), line,
       [](grammar::Assignment const& assignment, std::uint32_t wanted) { return assignment.line < wanted; });
   return found == tree_.assignments.end() || found->line != line ? nullptr : &*found;
+}
+
+std::string_view OpenList::unit_of(schema::Parameter const& row) const {
+  return validator::unit_of(row, axis_ == nullptr ? machine::AxisType::translatory : axis_->type);
 }
 
 design::CycleTime OpenList::cycle_time() const {

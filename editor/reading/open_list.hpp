@@ -1,4 +1,4 @@
-// The list that a request is about, read with its machine.
+// An open list, read together with its machine.
 #pragma once
 
 #include "axisc/workspace/buffers.hpp"
@@ -16,8 +16,8 @@ namespace axisc::editor {
 
 class OpenList {
  public:
-  /// `machine` is null where it cannot be read; `catalogue` is that of its axis lists, `kind` what the settings say of a list
-  /// alone. The machine and its sources outlive the list.
+  /// `machine` is null if it cannot be read. `catalogue` is the one of axis lists; `kind`, from the settings,
+  /// applies to a list without a machine. The machine and its sources outlive the list.
   OpenList(Document const& document, Buffers const& files, validator::LoadedMachine const* machine,
            SourceSet const& sources, schema::Catalogue const& catalogue,
            std::optional<schema::ListKind> kind);
@@ -29,17 +29,22 @@ class OpenList {
   [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
   [[nodiscard]] grammar::AxisList const& tree() const { return tree_; }
   [[nodiscard]] std::string_view slice(Span span) const { return text_.slice(span); }
-  /// The assignment of the line that a byte is in.
+  /// The assignment on the line that contains a byte; null for none.
   [[nodiscard]] grammar::Assignment const* line_at(std::size_t offset) const;
-  /// What a name of the list means.
   [[nodiscard]] schema::NameLookup find(std::string_view name) const { return catalogue_.find(name); }
-  /// The axis that the list makes; none for default lists, lists of other kinds, and where it makes several.
+  /// The axis that the list configures; null if there are several, for default lists and other kinds.
   [[nodiscard]] validator::LoadedAxis const* axis() const { return axis_; }
-  /// Of the machine; 1 ms where it is not known.
+  /// The unit of a parameter; if the type of the axis is unknown, that of translatory axes.
+  [[nodiscard]] std::string_view unit_of(schema::Parameter const& row) const;
+  /// The unit depends on the type of the axis, which is unknown.
+  [[nodiscard]] bool is_unit_open(schema::Parameter const& row) const {
+    return axis_ == nullptr && row.unit_rotary != row.unit_translatory && !row.unit_rotary.empty();
+  }
+  /// Of the machine; 1 ms if it is unknown.
   [[nodiscard]] design::CycleTime cycle_time() const;
-  /// The lines of an axis' lists that set a parameter, as the control reads them: default list, axis list.
+  /// The lines that set a parameter for this list, as the control reads them: default list first.
   [[nodiscard]] std::vector<Place> lines_setting(schema::Slot slot) const;
-  /// From a default list also those of every axis that it serves.
+  /// For a default list, also the lines of every axis that uses it.
   [[nodiscard]] std::vector<Place> lines_setting_in_machine(schema::Slot slot) const;
 
  private:

@@ -37,6 +37,11 @@ Json range_json(TextPosition begin, TextPosition end) {
   return {{"start", position_json(begin)}, {"end", position_json(end)}};
 }
 
+Json range_between(std::string_view text, std::size_t begin, std::size_t end, PositionEncoding encoding) {
+  TextLines const lines(text, encoding);
+  return range_json(lines.position(begin), lines.position(end));
+}
+
 std::string Places::uri(Place const& place) const {
   return buffers_.uri(sources_[place.source].name());
 }
@@ -50,7 +55,8 @@ Json Places::position(SourceId source, Position at) const {
   TextPosition position{.line = at.line - 1, .character = units(line, at.column - 1, encoding_)};
   if (!returns.empty()) {
     auto const before = std::lower_bound(returns.begin(), returns.end(), at.line) - returns.begin();
-    auto const inside = position_of(line, offset_of_unit(line, position.character, encoding_), encoding_);
+    auto const inside =
+        TextLines(line, encoding_).position(offset_of_unit(line, position.character, encoding_));
     position = {.line = position.line + static_cast<std::size_t>(before) + inside.line,
                 .character = inside.character};
   }
@@ -74,15 +80,14 @@ Json edits_between(std::string_view before, std::string_view after, PositionEnco
   while (begin < shorter && before[begin] == after[begin]) ++begin;
   std::size_t end = 0;
   while (end < shorter - begin && before[before.size() - 1 - end] == after[after.size() - 1 - end]) ++end;
-  // Whole characters, and CR LF as one.
+  // Edits do not split characters or CR LF.
   auto const is_inside = [](std::string_view text, std::size_t at) {
     return at > 0 && at < text.size() &&
            (is_continuation_byte(text[at]) || (text[at - 1] == '\r' && text[at] == '\n'));
   };
   while (is_inside(before, begin) || is_inside(after, begin)) --begin;
   while (is_inside(before, before.size() - end) || is_inside(after, after.size() - end)) --end;
-  edits.push_back({{"range", range_json(position_of(before, begin, encoding),
-                                        position_of(before, before.size() - end, encoding))},
+  edits.push_back({{"range", range_between(before, begin, before.size() - end, encoding)},
                    {"newText", after.substr(begin, after.size() - end - begin)}});
   return edits;
 }

@@ -3,7 +3,7 @@
 
 #include "axisc/workspace/buffers.hpp"
 #include "diagnostics/source_text.hpp"
-#include "editor/reading/text_positions.hpp"
+#include "editor/reading/requests.hpp"
 
 #include <cstdint>
 #include <map>
@@ -11,11 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 namespace axisc::editor {
-
-using Json = nlohmann::json;
 
 class Places {
  public:
@@ -34,14 +30,22 @@ class Places {
   SourceSet const& sources_;
   Buffers const& buffers_;
   PositionEncoding encoding_;
-  /// The lines with a CR alone, one entry for each: it ends a line for the protocol and not for a list.
+  /// The line of each CR without LF: it ends a line in the protocol, but not in a list.
   mutable std::map<SourceId, std::vector<std::uint32_t>> lone_returns_;
 };
 
 [[nodiscard]] Json position_json(TextPosition position);
 [[nodiscard]] Json range_json(TextPosition begin, TextPosition end);
+/// The range between two bytes of a text.
+[[nodiscard]] Json range_between(std::string_view text, std::size_t begin, std::size_t end,
+                                 PositionEncoding encoding);
 
-/// The one edit that makes `after` from `before`; an empty array for equal texts.
+/// True inside the span and at both ends, as for a cursor.
+[[nodiscard]] constexpr bool touches(Span span, std::size_t offset) {
+  return span.begin <= offset && offset <= span.end;
+}
+
+/// A single edit that turns `before` into `after`; empty for equal texts.
 [[nodiscard]] Json edits_between(std::string_view before, std::string_view after, PositionEncoding encoding);
 
 }  // namespace axisc::editor

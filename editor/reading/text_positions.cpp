@@ -15,17 +15,6 @@ std::size_t units_of(DecodedCharacter const& character, PositionEncoding encodin
 
 }  // namespace
 
-std::size_t offset_of(std::string_view text, TextPosition position, PositionEncoding encoding) {
-  std::size_t at = 0;
-  for (std::size_t line = 0; line < position.line; ++line) {
-    at = text.find_first_of("\r\n", at);
-    if (at == std::string_view::npos) return text.size();
-    at += text.substr(at, 2) == "\r\n" ? 2 : 1;
-  }
-  auto const line = text.substr(at, text.find_first_of("\r\n", at) - at);
-  return at + offset_of_unit(line, position.character, encoding);
-}
-
 std::size_t offset_of_unit(std::string_view text, std::size_t unit, PositionEncoding encoding) {
   std::size_t passed = 0;
   std::size_t at = 0;
@@ -36,20 +25,6 @@ std::size_t offset_of_unit(std::string_view text, std::size_t unit, PositionEnco
     at += character.size;
   }
   return at;
-}
-
-TextPosition position_of(std::string_view text, std::size_t offset, PositionEncoding encoding) {
-  TextPosition position;
-  std::size_t begin = 0;
-  for (auto end = text.find_first_of("\r\n"); end < offset; end = text.find_first_of("\r\n", begin)) {
-    auto const next = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
-    if (next > offset) break;
-    begin = next;
-    ++position.line;
-  }
-  auto const line = text.substr(begin, std::min(offset, text.size()) - begin);
-  position.character = units(line, line.size(), encoding);
-  return position;
 }
 
 std::size_t units(std::string_view line, std::size_t characters, PositionEncoding encoding) {
@@ -73,6 +48,11 @@ TextLines::TextLines(std::string_view text, PositionEncoding encoding) : text_(t
 std::string_view TextLines::line(std::size_t line) const {
   auto const rest = text_.substr(begins_[line]);
   return rest.substr(0, rest.find_first_of("\r\n"));
+}
+
+std::size_t TextLines::offset(TextPosition position) const {
+  if (position.line >= count()) return text_.size();
+  return begin(position.line) + offset_of_unit(line(position.line), position.character, encoding_);
 }
 
 TextPosition TextLines::position(std::size_t offset) const {

@@ -18,31 +18,26 @@ struct TextPosition {
                                     TextPosition const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// The byte of a position in UTF-8 text. A position after the end of its line is that end, one after the last line the
-/// end of the text. Lines end with LF, CRLF or CR.
-[[nodiscard]] std::size_t offset_of(std::string_view text, TextPosition position, PositionEncoding encoding);
-
-/// The position of a byte.
-[[nodiscard]] TextPosition position_of(std::string_view text, std::size_t offset, PositionEncoding encoding);
-
-/// The byte at which a number of units begins that are counted across line ends of any kind.
+/// The byte after a number of units; line ends count as units.
 [[nodiscard]] std::size_t offset_of_unit(std::string_view text, std::size_t unit, PositionEncoding encoding);
 
-/// Units of the first `characters` characters of a line.
+/// Number of units in the first `characters` characters of a line.
 [[nodiscard]] std::size_t units(std::string_view line, std::size_t characters, PositionEncoding encoding);
 
-/// Where each line of a text begins: for many positions in it.
+/// The lines of a text in UTF-8. They end with LF, CRLF or CR.
 class TextLines {
  public:
-  /// The text outlives the lines.
+  /// Reads the whole text, which outlives the lines.
   TextLines(std::string_view text, PositionEncoding encoding);
 
   [[nodiscard]] std::size_t count() const { return begins_.size(); }
   /// Without its end.
   [[nodiscard]] std::string_view line(std::size_t line) const;
   [[nodiscard]] std::size_t begin(std::size_t line) const { return begins_[line]; }
+  /// The byte at a position: the end of the line or of the text if the position is after it.
+  [[nodiscard]] std::size_t offset(TextPosition position) const;
   [[nodiscard]] TextPosition position(std::size_t offset) const;
-  /// Units of a piece of a line.
+  /// Number of units in a piece of a line.
   [[nodiscard]] std::size_t units_of(std::string_view piece) const {
     return units(piece, piece.size(), encoding_);
   }

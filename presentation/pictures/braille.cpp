@@ -99,7 +99,7 @@ std::string panel_text(Figure const& figure, Panel const& panel, std::size_t col
   Projection const up(panel.y, dots.height(), 0);
   for (Curve const& curve : panel.curves) draw(dots, curve, across, up);
   std::string text = panel.is_bare ? "" : std::string(margin, ' ') + label_of(panel.y) + "\n";
-  // Names of bars stand at their rows; else the ends of the axis do.
+  // Names of bars are at their rows; otherwise the ends of the axis are.
   std::vector<std::string> margins(rows);
   auto const row_of = [&](double value) {
     return static_cast<std::size_t>(std::clamp(up(value), 0.0, dots.height())) / dots_up;

@@ -9,7 +9,7 @@
 namespace axisc::pictures {
 namespace {
 
-/// Liang and Barsky: which share of the way from a to b is inside. None: nothing of it.
+/// Liang and Barsky: the share of the way from a to b that is inside, if any.
 std::optional<std::pair<double, double>> inside(Point const& a, Point const& b, Axis const& x,
                                                 Axis const& y) {
   double enter = 0;

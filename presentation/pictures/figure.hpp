@@ -1,5 +1,5 @@
-// What a picture shows: panels with axes, curves and marks, as plain data. Who fills it has computed the numbers; svg.hpp
-// draws it.
+// The content of a picture: panels with axes, curves and marks, as plain data. The caller computes the
+// numbers; svg.hpp draws them.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@ struct Axis {
   std::string quantity = {};  ///< "frequency"
   std::string unit = {};      ///< "Hz"; empty for numbers without one
   Scale scale = Scale::linear;
-  double low = 0;  ///< what the panel shows: low < high, above 0 on a logarithmic scale
+  double low = 0;  ///< the range of the panel: low < high, above 0 on a logarithmic scale
   double high = 1;
-  /// Where a label stands; empty: round numbers.
+  /// Places of the labels; empty: round numbers.
   std::vector<double> ticks = {};
   std::vector<std::string> names = {};  ///< instead of the numbers of `ticks`, as many
 };
@@ -30,18 +30,18 @@ struct Point {
 };
 
 enum class Role : std::uint8_t {
-  whole,     ///< what the picture is about: bold
+  whole,     ///< the subject of the picture: bold
   part,      ///< a contribution to it: thin
   before,    ///< an earlier state: thin and dashed
   measured,  ///< from a file: dots
-  guide,     ///< what others are compared with: thin and grey
+  guide,     ///< for comparison: thin and grey
   bar,       ///< a thick line between its points
 };
 
 struct Curve {
   std::string name = {};
   Role role = Role::whole;
-  std::size_t colour = 0;  ///< which of the palette; curves of one name in several panels have one colour
+  std::size_t colour = 0;  ///< index in the palette; curves of one name in several panels have one colour
   std::vector<Point> points = {};
 };
 
@@ -83,7 +83,7 @@ struct Figure {
   std::vector<Mark> marks = {};
   Table table = {};
   bool shows_table = false;  ///< the picture has it below its legend
-  std::string nothing = {};  ///< says why there is nothing to draw; then there are no panels
+  std::string nothing = {};  ///< why there is nothing to draw; then there are no panels
 };
 
 }  // namespace axisc::pictures

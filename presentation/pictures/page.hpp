@@ -1,5 +1,5 @@
-// Figures on pages: the picture and its numbers, readable without a network and without scripts. With scripts the
-// pictures zoom, by uPlot, which the page contains.
+// Figures on pages: the picture and its numbers, readable without a network and without scripts. With scripts
+// the pictures zoom, by uPlot, which the page contains.
 #pragma once
 
 #include "diagnostics/sentence.hpp"
@@ -15,16 +15,16 @@ namespace axisc::pictures {
 /// The picture and its table, for a part of a page.
 [[nodiscard]] std::string figure_element(Figure const& figure, Language language);
 
-/// A table with a header row; of columns of numbers the cells stand right.
+/// A table with a header row; cells in columns of numbers are right-aligned.
 [[nodiscard]] std::string table_element(Table const& table);
 
 /// Colours, print, tables and zoom of pages with figures.
 [[nodiscard]] std::string page_style();
 
-/// The end of a page's body: what zooms, and its licence.
+/// The end of a page's body: the script that zooms, and its licence.
 [[nodiscard]] std::string zoom_part(Language language);
 
-/// The script in it, from tag to tag. It depends on nothing but the language.
+/// The script of that part, from tag to tag. It depends on nothing but the language.
 [[nodiscard]] std::string page_script(Language language);
 
 }  // namespace axisc::pictures

@@ -19,7 +19,8 @@ std::vector<Point> simplified(std::vector<Point> const& points, double tolerance
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (points.size() < 3 || !rises(points)) return points;
   std::vector<Point> result;
-  // Lines from the last point that was kept pass closely enough by what was left out since, if their slope is between these.
+  // Lines from the last kept point pass closely enough by all points left out since, if their slope is
+  // between these.
   double lowest = -infinity;
   double highest = infinity;
   Point const* left_out = nullptr;

@@ -7,8 +7,8 @@
 
 namespace axisc::pictures {
 
-/// Points without those that lie within `tolerance`, measured upwards, of the line between the neighbours that are left. A curve
-/// whose abscissas do not rise strictly is left as it is; so are its interruptions.
+/// Points without those that lie within `tolerance`, measured upwards, of the line between the neighbours
+/// that are left. A curve whose abscissas do not rise strictly is unchanged; so are its interruptions.
 [[nodiscard]] std::vector<Point> simplified(std::vector<Point> const& points, double tolerance);
 
 }  // namespace axisc::pictures

@@ -20,10 +20,11 @@ constexpr double text_size = 12;
 constexpr double line_height = 17;
 constexpr double gap_of_panels = 18;
 constexpr std::size_t rows_of_marks = 3;
-/// Of the ends of an axis: fewer than any two mathematics libraries share.
+/// Digits of the ends of an axis: fewer than any two mathematics libraries share.
 constexpr int scale_digits = 9;
 
-/// Okabe and Ito: told apart by colour-blind readers. Black and yellow are left out, which one of the schemes swallows.
+/// Okabe and Ito: can be told apart by colour-blind readers. Without black and yellow, which would vanish in
+/// one of the schemes.
 constexpr std::array<std::string_view, 6> palette = {"#0072b2", "#d55e00", "#009e73",
                                                      "#cc79a7", "#e69f00", "#56b4e9"};
 constexpr std::array<std::string_view, 6> dashes = {"", "7 3", "2 3", "9 3 2 3", "12 4", "4 2 1 2"};
@@ -94,7 +95,7 @@ class Writer {
 
   [[nodiscard]] Projection across() const { return {figure_.x, panel_left, panel_right}; }
 
-  /// In rows above the panels; what finds no place has its line alone.
+  /// In rows above the panels; a mark whose label finds no place has its line alone.
   void write_marks() {
     std::vector<double> ends(rows_of_marks, panel_left - 1e3);
     std::vector<Mark> marks = figure_.marks;
@@ -208,7 +209,7 @@ class Writer {
   }
 
   void write_curve(Curve const& curve, Projection const& across, Projection const& up) {
-    /// Together with the sampling's error far below what is seen.
+    /// Together with the sampling's error far too small to be seen.
     constexpr double tolerance = 0.05;
     std::vector<Point> places;
     for (Point const& point : curve.points) places.push_back({.x = across(point.x), .y = up(point.y)});

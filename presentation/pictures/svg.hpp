@@ -1,5 +1,5 @@
-// Figures as SVG: text, the same bytes on every host, no scripts. Colours follow the reader's light or dark scheme, line
-// styles tell curves apart in print.
+// Figures as SVG: text, the same bytes on every host, no scripts. Colours follow the reader's light or dark
+// scheme, line styles tell curves apart in print.
 #pragma once
 
 #include "diagnostics/sentence.hpp"

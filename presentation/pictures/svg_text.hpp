@@ -1,4 +1,4 @@
-// What SVG is written with.
+// Helpers for writing SVG.
 #pragma once
 
 #include <string>

@@ -20,7 +20,7 @@ double letter_width(char letter) {
 double text_width(std::string_view text, double size) {
   double width = 0;
   for (char const byte : text) {
-    // Of a character that is not ASCII its first byte counts.
+    // The first byte of a character that is not ASCII counts.
     auto const value = static_cast<unsigned char>(byte);
     bool const continues = (value & 0xC0U) == 0x80U;
     if (!continues) width += value < 0x80U ? letter_width(byte) : 0.74;

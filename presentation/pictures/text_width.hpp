@@ -1,4 +1,5 @@
-// How wide text is in a picture, without a font at hand: an upper estimate for the sans-serif fonts that readers have.
+// How wide text is in a picture, without a font at hand: an upper estimate for the sans-serif fonts that
+// readers have.
 #pragma once
 
 #include <string>

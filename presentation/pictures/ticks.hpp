@@ -9,12 +9,13 @@
 
 namespace axisc::pictures {
 
-/// Round numbers from low to high, rising: on a linear scale multiples of 1, 2 or 5 times a power of ten, about `wanted`
-/// of them; on a logarithmic one powers of ten, and 2 and 5 times these where there is room. Those of the axis itself where
-/// it names some.
+/// Round numbers from low to high, rising: on a linear scale multiples of 1, 2 or 5 times a power of ten,
+/// about `wanted` of them; on a logarithmic one powers of ten, and 2 and 5 times these where there is room.
+/// Those of the axis itself where it names some.
 [[nodiscard]] std::vector<double> ticks_of(Axis const& axis, std::size_t wanted);
 
-/// A number as readers of the language write it: "-0.5", "20 000"; German "-0,5". At most six significant digits.
+/// A number as readers of the language write it: "-0.5", "20 000"; German "-0,5". At most six significant
+/// digits.
 [[nodiscard]] std::string number_text(double value, Language language);
 
 }  // namespace axisc::pictures

@@ -39,7 +39,7 @@ LinePort build_port(ImageView const& view, PortKind port, uint32_t lanes, Layout
                     Memory memory);
 /// Channels with their banks. Expects kernels and ports.
 void build_channels(ImageView const& view, Layout const& layout, Memory memory);
-/// What an output may move in a cycle, where the image knows the axis' limits. Expects ports.
+/// The largest plausible move of an output in a cycle, where the image knows the axis' limits. Expects ports.
 void limit_increments(ImageView const& view, axisrt const& runtime);
 /// Improved Position Control.
 void build_controls(ImageView const& view, Layout const& layout, Memory memory);

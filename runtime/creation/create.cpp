@@ -8,13 +8,13 @@
 namespace axisc::runtime {
 namespace {
 
-/// The caller's own function is called in his own arithmetic.
+/// The caller's own function is called with the caller's control word.
 axisrt_status open_configured(axisrt_config const& config, ImageView& view) {
   axisrt_status const status = check_signature(config);
   return status == AXISRT_OK ? verify_image(config.image, config.image_size, view) : status;
 }
 
-/// FNV-1a. Names may overlap, so that only so much of each is read.
+/// FNV-1a. Names may overlap, so that only this much of each is read.
 uint64_t digest_of(uint8_t const* text, uint32_t size) {
   constexpr uint32_t most = 1024;
   uint64_t digest = 0xCBF2'9CE4'8422'2325U;
@@ -22,7 +22,8 @@ uint64_t digest_of(uint8_t const* text, uint32_t size) {
   return digest;
 }
 
-/// Limits per second, in um or 1e-3 degree and in mm or degree, become limits per cycle in units of 0.1 um or 1e-4 degree.
+/// Limits per second, in um or 1e-3 degree and in mm or degree, become limits per cycle in units of 0.1 um or
+/// 1e-4 degree.
 void build_axes(ImageView const& view, Axis* axes) {
   double const T = view.header()[field::header::cycle_time_ns] * 1e-9;
   for (uint32_t i = 0; i < view.axes.count; ++i) {

@@ -5,7 +5,7 @@
 namespace axisc::runtime {
 namespace {
 
-/// The factor s of tails s (K - j), but for what rounding took from them; 0 for other kernels.
+/// The factor s of tails s (K - j), apart from their rounding; 0 for other kernels.
 double find_ramp(double const* zero, uint32_t tail_count) {
   constexpr double rounding = 0x1p-50;
   if (tail_count < 2) return 0;
@@ -17,7 +17,7 @@ double find_ramp(double const* zero, uint32_t tail_count) {
   return ramp;
 }
 
-/// Puts a kernel's tails in falling order into memory, with zeros around them; gives the place of S_0.
+/// Puts a kernel's tails in falling order into memory, with zeros around them; returns the place of S_0.
 template <class Tail>
 double const* write_tails(double* memory, uint32_t block_count, uint32_t tail_count, Tail tail) {
   uint32_t const last = block_count * block_cycles - 1;

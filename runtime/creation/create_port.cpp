@@ -150,7 +150,7 @@ class PortBuilder {
     }
   }
 
-  /// Doubles that were used. Sections that a lane does not have stay zero: they change nothing.
+  /// Doubles used so far. Sections that a lane does not have stay zero: they change nothing.
   uint64_t write_constants(Group const& group, uint32_t index) {
     Shape::Step const& step = group.shape.steps[index];
     uint64_t const size = whole_lines(uint64_t{constants_size(step)} * group.width);

@@ -7,7 +7,7 @@
 
 namespace axisc::runtime {
 
-/// Number of elements of what the lines of a port need.
+/// Numbers of elements that the lines of a port need.
 struct PortAmounts {
   uint64_t lines = 0;
   uint64_t batches = 0;

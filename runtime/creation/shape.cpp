@@ -72,7 +72,7 @@ void widen(Shape& shape, Shape const& by) {
   }
 }
 
-/// The narrowest group that so many lines fill without a wider one that is mostly empty. One or two lines
+/// The narrowest group that this many lines fill without a wider one that is mostly empty. One or two lines
 /// with a linear-phase filter are faster one by one.
 uint32_t width_for(uint32_t lines, uint32_t lanes, bool has_slot) {
   if (lines == 1 || (lines == 2 && has_slot)) return 1;

@@ -26,7 +26,7 @@ struct Line {
 [[nodiscard]] uint32_t count_lines(ImageView const& view, PortKind port);
 [[nodiscard]] Line line_at(ImageView const& view, PortKind port, uint32_t index);
 
-/// What a chain does, step by step; what passes unchanged is left out.
+/// The steps of a chain; parts that pass the signal unchanged are left out.
 struct Shape {
   struct Step {
     OperationKind kind;
@@ -47,7 +47,7 @@ struct Shape {
 [[nodiscard]] uint32_t state_size(Shape::Step const& step);
 [[nodiscard]] uint32_t constants_size(Shape::Step const& step);
 
-/// Blocks of a history that holds so many increments and the block that is being filled; at least the two
+/// Blocks of a history that holds this many increments and the block that is being filled; at least the two
 /// that are applied in every cycle.
 [[nodiscard]] constexpr uint32_t blocks_of(uint32_t tail_count) {
   return tail_count < 2 ? 2 : (tail_count + block_cycles - 2) / block_cycles + 1;
@@ -101,7 +101,7 @@ class Grouping {
   Kind kinds_[most_shapes];  ///< in ascending order
   uint32_t kind_count_ = 0;
   uint32_t alone_ = 0;          ///< lines of further shapes that are left
-  uint32_t present_ = 0;        ///< kind whose lines are given out
+  uint32_t present_ = 0;        ///< kind whose lines are handed out
   uint32_t position_ = 0;       ///< in the pass over the lines
   uint32_t left_of_steps_ = 0;  ///< lines with the steps of the latest group that are not in a group yet
 };

@@ -11,7 +11,7 @@
  *   state    as the runtime of this level orders it
  *   entries  oldest first
  *
- * An entry is a word, kind | flags << 8 | status << 16 | axis or group << 32, and what its kind says; n is
+ * An entry is a word, kind | flags << 8 | status << 16 | axis or group << 32, and the data of its kind; n is
  * the number of axes, s = (n + 7) / 8 words hold a status byte for each axis:
  *   step, step_interface   n inputs, n outputs, s
  *   step_velocity          n v_set, n v_motor, n v_direct, n v_add, n increments, s
@@ -38,7 +38,7 @@ enum {
 
   axrd_command_words = 5,
 
-  /* Flags: what the caller gave or asked for; the words of what is missing are 0. */
+  /* Flags: which arrays the caller passed; the words of missing ones are 0. */
   axrd_has_status = 1,
   axrd_has_v_direct = 2,
   axrd_has_increments = 4

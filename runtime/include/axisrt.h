@@ -8,9 +8,9 @@
  *
  * The caller owns all memory; nothing here allocates, locks, does input or output, throws or recurses.
  * All calls for one runtime come from one task. Arrays have one entry per axis, in image order.
- * On x86-64 and Arm every call rounds to nearest and without traps, whatever the caller has set, and gives the caller's control
- * word back; other processors must be set so. Structures begin as zeros: a reserved number that is not 0 is
- * AXISRT_BAD_ARGUMENT.
+ * On x86-64 and Arm every call rounds to nearest and without traps, whatever the caller has set, and gives
+ * the caller's control word back; other processors must be set so. Structures begin as zeros: a reserved
+ * number that is not 0 is AXISRT_BAD_ARGUMENT.
  * Positions are in the list's unit (0.1 um or 1e-4 degree), |position| <= 2^53.
  *
  * Coefficient convention: H(z) = (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2), stored in increment form
@@ -26,7 +26,7 @@
 extern "C" {
 #endif
 
-/* What a call returns. 0 is good; values never change meaning. */
+/* The result of a call. 0 is success; values never change meaning. */
 typedef enum axisrt_status {
   AXISRT_OK = 0,
 
@@ -36,7 +36,8 @@ typedef enum axisrt_status {
   AXISRT_WRONG_VERSION = 3,  /* another major version of the format */
   AXISRT_WRONG_SIZE = 4,     /* bytes after the total size that are not a whole signature */
   AXISRT_WRONG_CHECKSUM = 5, /* header or payload was changed */
-  /* An offset, count, index or value out of range; a proof that cannot be true; a section missing or twice. */
+  /* An offset, count, index or value out of range; a proof that cannot be true; a section missing or
+   * twice. */
   AXISRT_OUT_OF_BOUNDS = 6,
   AXISRT_OVERLAP = 7,             /* sections overlap or are not aligned to 64 bytes */
   AXISRT_NOT_FINITE = 8,          /* a stored number is NaN or infinite */
@@ -50,8 +51,8 @@ typedef enum axisrt_status {
   AXISRT_OTHER_CYCLE_TIME = 20, /* the image was made for another NC cycle time */
   AXISRT_SELF_TEST_FAILED = 21, /* this processor does not compute what the image demands */
   AXISRT_MEMORY_TOO_SMALL = 22,
-  /* Null pointer, axis number too large, structure of unknown size, reserved number that is not 0, or memory that overlaps
-   * what the call still reads. */
+  /* Null pointer, axis number too large, structure of unknown size, reserved number that is not 0, or memory
+   * that overlaps what the call still reads. */
   AXISRT_BAD_ARGUMENT = 23,
   AXISRT_NO_LEVEL = 24,        /* this processor, or this build, lacks the instruction set asked for */
   AXISRT_UNSIGNED = 25,        /* a signature is demanded, and the image has none */
@@ -76,7 +77,7 @@ typedef enum axisrt_status {
   /* axisrt_command, axisrt_swap. Nothing was changed. */
   AXISRT_BUSY = 50,    /* a filter of the group is still changing over; try again in the next cycle */
   AXISRT_NO_BANK = 51, /* the image has no kernels for these parameters */
-  AXISRT_NEEDS_STANDSTILL = 52, /* no transition is gentle enough: only while the axes stand */
+  AXISRT_NEEDS_STANDSTILL = 52, /* no transition is gentle enough: only while the axes are at rest */
   AXISRT_NOT_WARM = 53          /* axisrt_swap: the new filters have not seen enough of the motion yet */
 } axisrt_status;
 
@@ -92,8 +93,8 @@ uint32_t axisrt_abi_version(void);
 #define AXISRT_ALIGNMENT 64u
 
 /* Checks an image: never reads outside [image, image + size), needs no memory. `image` is aligned to 64
- * bytes. What it accepts can be created and stepped without any fault, whoever wrote it. A signature after
- * the image is accepted and not checked: only a configuration names the key.
+ * bytes. An accepted image can be created and stepped without any fault, whatever its origin. A signature
+ * after the image is accepted and not checked: only a configuration names the key.
  * Returns AXISRT_OK, one of the image's statuses, or AXISRT_BAD_ARGUMENT for a null pointer.
  * Cost: one pass for the checksum, one over the content. Not in the cycle. */
 axisrt_status axisrt_verify(const void* image, size_t size);
@@ -124,7 +125,7 @@ typedef struct axisrt_config {
   uint32_t size;          /* sizeof(axisrt_config) */
   uint32_t cycle_time_ns; /* the controller's real NC cycle time; an image for another one is refused */
   const void* image;      /* aligned to 64 bytes; only read, and not needed after create, except for names */
-  size_t image_size;      /* with the signature behind it, where there is one */
+  size_t image_size;      /* with the signature after it, where there is one */
   void* memory;           /* aligned to 64 bytes, apart from the image; the runtime's while it is used */
   size_t memory_size;
   uint32_t level;    /* an axisrt_level; axisrt_memory_size and axisrt_create get the same */
@@ -136,21 +137,21 @@ typedef struct axisrt_config {
 } axisrt_config;
 
 /* Bytes that create needs for this image, and their alignment (AXISRT_ALIGNMENT); `memory`, `memory_size` and
- * `cycle_time_ns` of the configuration are not looked at. Verifies the image and returns what axisrt_verify returns, or
- * AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much, AXISRT_UNSIGNED, AXISRT_WRONG_SIGNATURE or
- * AXISRT_NO_LEVEL for a number that is not a level (for one that this processor lacks the answer is right, so that a program can
- * plan another's memory). Cost: as axisrt_verify, and a pass over the axes for each shape of chains, of which at most 32 count.
- * Not in the cycle. */
+ * `cycle_time_ns` of the configuration are not looked at. Verifies the image and returns what axisrt_verify
+ * returns, or AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much, AXISRT_UNSIGNED,
+ * AXISRT_WRONG_SIGNATURE or AXISRT_NO_LEVEL for a number that is not a level (for one that this processor
+ * lacks the answer is right, so that a program can plan another's memory). Cost: as axisrt_verify, and a pass
+ * over the axes for each shape of chains, of which at most 32 count. Not in the cycle. */
 axisrt_status axisrt_memory_size(const axisrt_config* config, size_t* bytes, size_t* alignment);
 
-/* Checks the signature if one is demanded, verifies the image, compares the cycle time, copies the coefficients and runs the
- * self-tests. No axis may be stepped before it was reset. On failure *runtime is null. Needs no counterpart: the memory is the
- * caller's.
- * Returns what axisrt_verify returns, or one of the statuses of create. Cost: as axisrt_verify, the coefficients, the
- * self-tests' cycles. Not in the cycle. */
+/* Checks the signature if one is demanded, verifies the image, compares the cycle time, copies the
+ * coefficients and runs the self-tests. No axis may be stepped before it was reset. On failure *runtime is
+ * null. Needs no counterpart: the memory is the caller's.
+ * Returns what axisrt_verify returns, or one of the statuses of create. Cost: as axisrt_verify, the
+ * coefficients, the self-tests' cycles. Not in the cycle. */
 axisrt_status axisrt_create(const axisrt_config* config, axisrt** runtime);
 
-/* What was created; 0 for a null pointer or a wrong axis. Cost: constant. May be called in the cycle. */
+/* Its properties; 0 for a null pointer or a wrong axis. Cost: constant. May be called in the cycle. */
 uint32_t axisrt_axis_count(const axisrt* runtime);
 uint32_t axisrt_cycle_time_ns(const axisrt* runtime);
 /* The counter that the machine's maker gave the image (`axisc compile --image-version`). A signature does not
@@ -188,28 +189,29 @@ axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double valu
  * 2^53. Cost: the axis' delays. May be called in the cycle. */
 axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
 
-/* One NC cycle. in[axis]: position setpoint; out[axis]: filtered setpoint, always finite for an axis that was reset. `in`
- * may equal `out`. `status` may be null, else status[axis] receives what happened to that axis. Returns the worst of
- * them, or AXISRT_BAD_ARGUMENT for a null pointer.
- * Typical error against the exact filter, for characteristic frequencies from 1e-4/T to 0.4/T and ordinary setpoints (moves,
- * steps, sines, noise): at most
+/* One NC cycle. in[axis]: position setpoint; out[axis]: filtered setpoint, always finite for an axis that was
+ * reset. `in` may equal `out`. `status` may be null, else status[axis] receives the status of that axis.
+ * Returns the worst of them, or AXISRT_BAD_ARGUMENT for a null pointer.
+ * Typical error against the exact filter, for characteristic frequencies from 1e-4/T to 0.4/T and ordinary
+ * setpoints (moves, steps, sines, noise): at most
  *     ulp(max(|in|, |out|)) + 2^-42 D + 2^-40 d
- * D: the largest |out - in| since the last rest; for chains that block the constant part the largest distance of `in` from
- * there, or the largest |out|. d: the largest |in[n] - in[n-1]| since then; its term counts where setpoints jump back and
- * forth, and vanishes beside the others in a move. From 1e-6/T on and up to 0.475/T the last terms are 2^-38 D + 2^-32 d.
- * This is measured, not proved: setpoints whose last digits are chosen so that all roundings push the same way exceed it,
- * narrow filters of 1e-4/T by up to 13 times (5e-6 units at an amplitude of 1e6). No bound for every setpoint is stated yet.
- * At rest a chain with DC gain 1 ends at out == in, exactly and for good.
- * Cost: constant for a given image, whatever the values are; while kernels change over (axisrt_command), that of one
- * kernel more for each axis that does. */
+ * D: the largest |out - in| since the last rest; for chains that block the constant part the largest distance
+ * of `in` from there, or the largest |out|. d: the largest |in[n] - in[n-1]| since then; its term counts
+ * where setpoints jump back and forth, and vanishes next to the others in a move. From 1e-6/T on and up to
+ * 0.475/T the last terms are 2^-38 D + 2^-32 d. This is measured, not proved: setpoints whose last digits are
+ * chosen so that all roundings push the same way exceed it, narrow filters of 1e-4/T by up to 13 times (5e-6
+ * units at an amplitude of 1e6). No bound for every setpoint is stated yet. At rest a chain with DC gain 1
+ * ends at out == in, exactly and for good.
+ * Cost: constant for a given image, whatever the values are; while kernels change over (axisrt_command), that
+ * of one kernel more for each axis that does. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
 
-/* What axisrt_step calls implausible, for axes whose list gives P-AXIS-00212 (v per cycle): with P the
- * largest peak gain of the axis' chain with any kernel of the image (as the image states it, an upper bound), an
- * output that moves by more than (P + 1/4) v in one cycle. Setpoints that stay within v never cause it, not in a
- * change of kernels or of images either, where v is not so small that the last digits of positions count (positions
- * below 2^40 v); a reset does not count. Images of axisc 0.2.0 and before may state too little for filters whose
- * characteristic frequency is below some millionths of 1/T. */
+/* The limit beyond which axisrt_step calls an output implausible, for axes whose list gives P-AXIS-00212 (v
+ * per cycle): with P the largest peak gain of the axis' chain with any kernel of the image (as the image
+ * states it, an upper bound), an output that moves by more than (P + 1/4) v in one cycle. Setpoints that stay
+ * within v never cause it, not in a change of kernels or of images either, where v is not so small that the
+ * last digits of positions count (positions below 2^40 v); a reset does not count. Images of axisc 0.2.0 and
+ * before may state too little for filters whose characteristic frequency is below some millionths of 1/T. */
 
 /* How far the filters of an axis take it away from its commanded path where its velocity changes by
  * `velocity` (um/s or 1e-3 degree/s) from one cycle to the next, as in a corner: the largest distance, in the
@@ -232,8 +234,8 @@ typedef struct axisrt_velocities {
   uint32_t reserved;     /* 0 */
   const double* v_set;   /* commanded by the position controller */
   const double* v_motor; /* measured by the motor's encoder */
-  /* Measured by the direct measuring system; null: the motor's are used. For a single axis without such a system repeat the
-   * motor's velocity. */
+  /* Measured by the direct measuring system; null: the motor's are used. For a single axis without such a
+   * system repeat the motor's velocity. */
   const double* v_direct;
 } axisrt_velocities;
 
@@ -256,9 +258,10 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
 axisrt_status axisrt_step_velocity(axisrt* runtime, const axisrt_velocities* in, double* v_add,
                                    double* increments, uint8_t* status);
 
-/* What the NC command #FILTER asks for. */
+/* The NC command #FILTER. */
 typedef enum axisrt_action {
-  /* #FILTER [...]: changes the parameters that it names, keeps those of earlier commands, and leaves the switch as it is */
+  /* #FILTER [...]: changes the parameters that it names, keeps those of earlier commands, and leaves the
+   * switch as it is */
   AXISRT_ACTION_SET = 0,
   AXISRT_ACTION_ON =
       1, /* #FILTER ON [...]: the lists' values with these parameters; forgets earlier commands */
@@ -283,8 +286,8 @@ typedef struct axisrt_filter_command {
 } axisrt_filter_command;
 
 /* Switches the FIR (with AXISRT_KEYWORD_HSC the HSC) filters of all axes of a group to the kernels that the
- * image holds for these parameters (those in force after the command, AXISRT_ACTION_SET included; AXISRT_NO_BANK without them);
- * nothing is computed here. To be called between two cycles.
+ * image holds for these parameters (those in force after the command, AXISRT_ACTION_SET included;
+ * AXISRT_NO_BANK without them); nothing is computed here. To be called between two cycles.
  *
  * While every axis of the group is at standstill (no increment of 2^-30 units or more for as many cycles as
  * its longest kernel remembers), the change is immediate, and no output moves by more than such increments
@@ -320,12 +323,14 @@ uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
 /* Option of axisrt_prepare: accepts a lower version counter. */
 #define AXISRT_ALLOW_OLDER 1u
 
-/* Creates the runtime of another image of the same machine beside the one that works, in the steady state for its latest
- * setpoints, and plans the change. Does not read the image of `active`; the memory of `config` must not touch that of
- * `active` or of its recorder (AXISRT_BAD_ARGUMENT). Returns what axisrt_create returns, AXISRT_OTHER_AXES, AXISRT_OLDER_IMAGE, or AXISRT_BUSY
- * while `active` itself is still replacing another. `prepared` may get commands; it begins with the lists' values. Prepare again
- * after axisrt_rebase, and after axisrt_reset of an axis that was reset before.
- * Cost: axisrt_create, and the step responses of all chains of both images (at most 2^21 cycles each). Not in the cycle. */
+/* Creates the runtime of another image of the same machine next to the one in use, in the steady state for
+ * its latest setpoints, and plans the change. Does not read the image of `active`; the memory of `config`
+ * must not touch that of `active` or of its recorder (AXISRT_BAD_ARGUMENT). Returns what axisrt_create
+ * returns, AXISRT_OTHER_AXES, AXISRT_OLDER_IMAGE, or AXISRT_BUSY while `active` itself is still replacing
+ * another. `prepared` may get commands; it begins with the lists' values. Prepare again after axisrt_rebase,
+ * and after axisrt_reset of an axis that was reset before.
+ * Cost: axisrt_create, and the step responses of all chains of both images (at most 2^21 cycles each). Not in
+ * the cycle. */
 axisrt_status axisrt_prepare(axisrt* active, const axisrt_config* config, uint32_t options,
                              axisrt** prepared);
 
@@ -362,10 +367,11 @@ typedef struct axisrt_recorder axisrt_recorder;
 axisrt_status axisrt_recorder_size(const axisrt* runtime, const axisrt_config* config, uint32_t cycles,
                                    size_t* bytes);
 
-/* Begins to record; `memory` of the configuration is the recorder's, until it was stopped and dumped. AXISRT_BUSY where
- * the runtime is recorded already or another image is prepared; AXISRT_OTHER_IMAGE unless the image is the runtime's own, header
- * included; AXISRT_BAD_ARGUMENT where the memory touches that of the runtime; else what axisrt_create returns. A change of image
- * ends the recording (axisrt_swap). Cost: axisrt_create, and a copy of the state. Not in the cycle. */
+/* Begins to record; `memory` of the configuration is the recorder's, until it was stopped and dumped.
+ * AXISRT_BUSY where the runtime is recorded already or another image is prepared; AXISRT_OTHER_IMAGE unless
+ * the image is the runtime's own, header included; AXISRT_BAD_ARGUMENT where the memory touches that of the
+ * runtime; else what axisrt_create returns. A change of image ends the recording (axisrt_swap). Cost:
+ * axisrt_create, and a copy of the state. Not in the cycle. */
 axisrt_status axisrt_recorder_start(axisrt* runtime, const axisrt_config* config, uint32_t cycles,
                                     axisrt_recorder** recorder);
 
@@ -381,19 +387,20 @@ axisrt_status axisrt_recorder_dump(const axisrt_recorder* recorder, void* bytes,
 /* Creates a runtime in the state with which a recording begins, at the recorded level, whatever the
  * configuration says. AXISRT_BAD_RECORDING, AXISRT_OTHER_IMAGE, or what axisrt_create returns
  * (AXISRT_NO_LEVEL where this processor cannot execute the level). The checksum guards a recording against
- * accidents; numbers that would lead outside the memory are refused, whoever wrote them. Not in the cycle. */
+ * accidents; numbers that would lead outside the memory are refused, whatever their origin. Not in the
+ * cycle. */
 axisrt_status axisrt_restore(const axisrt_config* config, const void* dump, size_t size, axisrt** runtime);
 
 #define AXISRT_MOST_FILTERS 4u
 #define AXISRT_NO_KERNEL 0xFFFFFFFFu
 
 typedef struct axisrt_axis_state {
-  double unfiltered;                         /* the setpoint that went in (the last good one) */
-  double filtered;                           /* what came out */
+  double unfiltered;                         /* the input setpoint (the last good one) */
+  double filtered;                           /* the output */
   double filter_output[AXISRT_MOST_FILTERS]; /* output of each filter of the cascade, in order */
   uint32_t filters;                          /* how many of them there are */
-  uint32_t filters_on;                       /* bit i: filter i of the cascade works */
-  uint32_t kernel;     /* of the image, that works or begins to; AXISRT_NO_KERNEL: none */
+  uint32_t filters_on;                       /* bit i: filter i of the cascade is on */
+  uint32_t kernel;     /* number in the image of the one in use, or beginning to be; AXISRT_NO_KERNEL: none */
   uint32_t fading;     /* 1 while one kernel changes over to another */
   uint32_t settled;    /* 1 if |unfiltered - filtered| <= kenngr.filter_position_window */
   uint32_t reset_done; /* 1 if the axis was reset since create */

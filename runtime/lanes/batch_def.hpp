@@ -9,7 +9,7 @@
 // NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
-/// What happened to any lane: statuses, joined bit by bit. The worse of the two contains the other's bits.
+/// Events of any lane: statuses, joined bit by bit. The worse of two contains the other's bits.
 template <uint32_t Width>
 using Happened = Bits<Width>;
 
@@ -22,12 +22,12 @@ static_assert((not_reset | implausible) == implausible && not_reset < implausibl
 constexpr double beyond_position = 0x1.0000000000001p53;  ///< the next number after the largest position
 static_assert(beyond_position > largest_position);
 
-/// Setpoints as they come, and the masks that decide what becomes of them.
+/// Setpoints as they come, and the masks that decide how they are used.
 template <uint32_t Width>
 struct Entry {
   Real<Width> setpoint;
   Bits<Width> good;
-  Bits<Width> done;  ///< not looked at where every line was reset
+  Bits<Width> done;  ///< ignored where every line was reset
 };
 
 template <uint32_t Width, bool AllReset>
@@ -64,7 +64,8 @@ AXISRT_INLINE Signal<Width> run_operation(Operation const& operation, uint32_t g
 
 inline constexpr uint32_t cycles_of_a_round = 6;
 
-/// After all groups: the next sixth of a batch's sections is bounded, apart from the groups, so that none waits for it.
+/// After all groups: the next sixth of a batch's sections is bounded, apart from the groups, so that none has
+/// to wait for it.
 template <uint32_t Width>
 AXISRT_INLINE void bound_some_sections(Batch const& batch, Operation const& operation) {
   OperationState state = *operation.state;
@@ -81,7 +82,7 @@ AXISRT_INLINE void bound_some_sections(Batch const& batch, Operation const& oper
   *operation.state = state;
 }
 
-/// After all groups: where the next cycle goes on.
+/// After all groups: moves on to the place of the next cycle.
 template <uint32_t Width>
 AXISRT_INLINE void advance_operation(Batch const& batch, Operation const& operation) {
   if (operation.section_count > 0) bound_some_sections<Width>(batch, operation);
@@ -131,7 +132,7 @@ constexpr uint32_t sections_of(ChainKind kind) {
   }
 }
 
-/// What a call goes by.
+/// The arguments of a call.
 struct Call {
   double const* in;
   double* out;
@@ -201,8 +202,8 @@ class Place {
   Entry<Width> entry_{};
 };
 
-/// Chains of `Sections` sections in `Groups` neighbouring groups at once: one group's sections wait for each other, those of
-/// several do not.
+/// Chains of `Sections` sections in `Groups` neighbouring groups at once: one group's sections wait for each
+/// other, those of several do not.
 template <uint32_t Width, uint32_t Sections, uint32_t Groups, bool AllReset>
 AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const& call,
                                  Happened<Width>& happened) {
@@ -261,7 +262,8 @@ AXISRT_APART uint64_t step_slots(Batch const& batch, uint32_t first, double cons
   return worst_of<Width>(happened);
 }
 
-/// Slots with moving averages, as far as they come first: as no call interrupts them, they have all registers for themselves.
+/// Slots with moving averages, as long as they come first: as no call interrupts them, they have all
+/// registers for themselves.
 template <uint32_t Width, bool AllReset>
 AXISRT_INLINE uint32_t step_ramps(Batch const& batch, Call const& call, Happened<Width>& happened) {
   SlotGroup* const slots = batch.operations[0].slots;

@@ -4,16 +4,14 @@
 // setpoint itself, sum is zero, d the difference of two setpoints; at its end base + sum is rounded once, to
 // the output. So the size of the position enters that one rounding only.
 //
-// passing    H(1) = 1.  The base stays, sum grows by what the sections add. At rest sum is zero and the
-// output
-//            is the setpoint, exactly. With a share s:
+// passing    H(1) = 1.  The base stays, sum grows by what the sections add. At rest sum is zero and
+//            the output is the setpoint, exactly. With a share s:
 //            sum' = s sum_f + (1 - s) sum,  d' = s d_f + (1 - s) d
-// blocking   H(1) = 0.  The sections' output e replaces the signal. Of the part that bypasses the filter, the
-// base is
-//            scaled:  base' + low = (1 - s) base in twice the precision,  sum' = s e + (1 - s) sum + low
-// delay      H = z^-D.  A ring hands on base, sum and d of D cycles ago, bit for bit. The part that bypasses
-// it is
-//            added as a distance from there:
+// blocking   H(1) = 0.  The sections' output e replaces the signal. The base of the part that bypasses
+//            the filter is scaled:
+//            base' + low = (1 - s) base in twice the precision,  sum' = s e + (1 - s) sum + low
+// delay      H = z^-D.  A ring hands on base, sum and d of D cycles ago, bit for bit. The part that
+//            bypasses it is added as a distance from there:
 //            base' = base_D,  sum' = s sum_D + (1 - s) ((base - base_D) + sum)
 //
 // s = 1 makes 1 - s an exact zero, so no form needs a special case for it.
@@ -25,7 +23,7 @@
 // NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
-/// s, 1 - s and what rounding took from it.
+/// s, 1 - s and its rounding error.
 template <uint32_t Width>
 struct Share {
   Real<Width> share, direct, direct_low;
@@ -86,7 +84,7 @@ AXISRT_INLINE Signal<Width> run_blocking_filter(Operation const& operation, doub
           on_grid<Width>(part.share * filtered.d + part.direct * in.d)};
 }
 
-/// The ring has one place more than the delay, so that the signal that came out stays readable until the next
+/// The ring has one place more than the delay, so that the delayed signal stays readable until the next
 /// cycle.
 template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_delay(Operation const& operation, double const* constants, double* states,

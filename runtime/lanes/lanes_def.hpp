@@ -181,8 +181,8 @@ AXISRT_INLINE Real<Width> keep(Bits<Width> mask, Real<Width> value) {
   return real_of<Width>(mask & bits_of<Width>(value));
 }
 
-/// All bits of a lane set where |value| < limit; clear for NaN. Compares as integers, so that neither a subnormal number nor NaN
-/// leaves a trace in the control word.
+/// All bits of a lane set where |value| < limit; clear for NaN. Compares as integers, so that neither a
+/// subnormal number nor NaN leaves a trace in the control word.
 template <uint32_t Width>
 AXISRT_INLINE Bits<Width> mask_if_below(Real<Width> value, double limit) {
   auto const end = AXISRT_BIT_CAST(int64_t, limit);
@@ -190,8 +190,8 @@ AXISRT_INLINE Bits<Width> mask_if_below(Real<Width> value, double limit) {
     auto const size = AXISRT_BIT_CAST(int64_t, lane_of(magnitude<Width>(value), 0));
     return only_bits(opaque(0U - static_cast<uint64_t>(size < end)));
   } else if constexpr (Width == 8) {
-    // Comparing eight numbers makes a mask register, and compilers turn it into a vector with an instruction that waits for what its
-    // target was before: that of the group before.
+    // Comparing eight numbers makes a mask register, which compilers turn into a vector with an instruction
+    // that waits for the previous value of its target: that of the group before.
     return AXISRT_BIT_CAST(Bits<Width>,
                            (AXISRT_BIT_CAST(Signed<Width>, magnitude<Width>(value)) - end) >> 63);
   } else {
@@ -241,7 +241,7 @@ AXISRT_INLINE Real<Width> gather(double const* values, uint32_t const* lines) {
   }
 }
 
-/// Calls call.template operator()<0>() to <Count - 1>(): a loop that is written out.
+/// Calls call.template operator()<0>() to <Count - 1>(): an unrolled loop.
 template <uint32_t Count, uint32_t First = 0, class Call>
 AXISRT_INLINE void unrolled(Call const& call) {
   if constexpr (First < Count) {

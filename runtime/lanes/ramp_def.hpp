@@ -1,17 +1,17 @@
-// A moving average in a few operations, whatever its order is.
+// A moving average in a few operations, whatever its order.
 //
 // Its tails are a ramp, S_j = s (K - j) for j = 0..K-1. Time is cut into windows of K cycles, and
 //
 //     E[n] / s = sum of (K - j) d[n-j] = C[n] + G[n]
 //
-// C is what the increments of the present window contribute, G what is left of those before it:
+// C is the contribution of the increments of the present window, G the rest of those before it:
 //
 //     C[n] = C[n-1] - P[n-1] + K d[n],   P[n] = P[n-1] + d[n]
 //     G[n] = G[n-1] - Q[n-1],            Q[n] = Q[n-1] - d[n-K]
 //
-// At the end of a window G is what C was and Q what P was, and C and P begin at zero again. No sum lives
-// longer than two windows, so nothing drifts: the error stays below 2 K rounding errors of E, and at rest
-// every sum ends at zero.
+// At the end of a window, G takes the value of C and Q that of P, and C and P begin at zero again. No sum
+// lives longer than two windows, so nothing drifts: the error stays below 2 K rounding errors of E, and at
+// rest every sum ends at zero.
 #pragma once
 
 #include "runtime/lanes/taps_def.hpp"

@@ -13,8 +13,8 @@
 // whose first and second derivatives begin and end at zero: |w'| <= 15/(8 F), |w''| <= 10/(sqrt(3) F^2).
 //
 // Meanwhile both kernels are applied to the whole history (SlotMode::direct). Afterwards, from the beginning
-// of a block on, the next block's outputs are prepared, and from the block after it they are used. Which of
-// this happens depends on commands and on time, never on values.
+// of a block on, the next block's outputs are prepared, and from the block after it they are used. The choice
+// depends on commands and on time, never on values.
 #pragma once
 
 #include "runtime/lanes/ramp_def.hpp"
@@ -32,7 +32,7 @@ AXISRT_INLINE double fade_weight(uint32_t position, uint32_t length) {
   return t * t * t * (10 + t * (6 * t - 15));
 }
 
-/// Moves every lane's fade on by a cycle; gives the lanes' w, and a mask of those that still fade.
+/// Moves every lane's fade on by a cycle; returns the lanes' w, and a mask of those that still fade.
 template <uint32_t Width>
 AXISRT_INLINE void advance_fades(SlotGroup& slot, double* weights, uint64_t* fades) {
   uint32_t fading = 0;
@@ -93,7 +93,8 @@ AXISRT_INLINE Real<Width> removed_by_kernels(SlotGroup& slot, double* parts) {
   return apply_all_kernels<Width>(slot, history);
 }
 
-/// Kernels that are no moving average, or change over: apart, so that a moving average has all registers for itself.
+/// Kernels that are not moving averages, or change over: apart, so that a moving average has all registers
+/// for itself.
 template <uint32_t Width>
 AXISRT_APART void apply_kernels(SlotGroup& slot, double* parts, double* removed) {
   store<Width>(removed, removed_by_kernels<Width>(slot, parts));
@@ -117,7 +118,7 @@ AXISRT_INLINE Kernel const* common_kernel(SlotGroup const& slot) {
   return slot.kernel[0];
 }
 
-/// Decides how the block that begins is done.
+/// Decides how the new block is done.
 template <uint32_t Width>
 AXISRT_APART void begin_block(SlotGroup& slot, double* parts) {
   if (slot.mode == SlotMode::ramp || slot.fading != 0 || !works_in_blocks<Width>) return;
@@ -132,7 +133,7 @@ AXISRT_APART void begin_block(SlotGroup& slot, double* parts) {
   for (uint32_t i = 0; i < block_cycles; ++i) store<Width>(next + i * Width, Real<Width>{});
 }
 
-/// Goes on to where the next cycle's increment goes; true if a block begins there.
+/// Moves on to the place of the next cycle's increment; true if a block begins there.
 AXISRT_INLINE bool next_place(SlotGroup& slot) {
   slot.phase += 1;
   if (slot.phase < block_cycles) return false;
@@ -176,7 +177,7 @@ AXISRT_INLINE Signal<Width> run_slot(SlotGroup& slot, double* parts, Signal<Widt
   return out;
 }
 
-/// One cycle in SlotMode::ramp, without a call of anything.
+/// One cycle in SlotMode::ramp, without any call.
 template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_ramp_slot(SlotGroup& slot, double* parts, Signal<Width> const& in) {
   uint32_t const present = place_in_history(slot);

@@ -1,11 +1,11 @@
-// What a linear-phase kernel takes from the signal, from the history of its increments:
+// The part of the signal that a linear-phase kernel takes away, from the history of its increments:
 //
 //     E[n] = S_0 d[n] + S_1 d[n-1] + ...
 //
 // The history is a ring of blocks of eight cycles. With phase f in the present block b, the increment at
-// place i of block b - c is f + 8 c - i cycles old, so that a block contributes  sum over i of S_(f + 8 c -
-// i) d_(b - c, i). Tails with a negative index are zero: what comes after the phase in the present block does
-// not count.
+// place i of block b - c is f + 8 c - i cycles old, so that a block contributes
+//     sum over i of S_(f + 8 c - i) d_(b - c, i).
+// Tails with a negative index are zero: places after the phase in the present block do not count.
 #pragma once
 
 #include "runtime/lanes/lanes_def.hpp"
@@ -122,7 +122,7 @@ AXISRT_INLINE void gather_ahead(double const* zero, Reach reach, SlotGroup const
                              AXISRT_INLINE_LAMBDA { store<Width>(ahead + Output * Width, sums[Output]); });
 }
 
-/// E of the present cycle: the two latest blocks, and what was applied ahead.
+/// E of the present cycle: the two latest blocks, and the part applied ahead.
 template <uint32_t Width, bool Common>
 AXISRT_INLINE Real<Width> apply_latest(double const* zero, SlotGroup const& slot, double const* history,
                                        double const* ahead) {

@@ -1,5 +1,5 @@
-// Typed access to the records of an image. Which record has which field of which type at which offset comes
-// from the format's one table; a field outside its record does not compile.
+// Typed access to the records of an image. The format's one table determines which record has which field of
+// which type at which offset; a field outside its record does not compile.
 #pragma once
 
 #include "axisrt.h"
@@ -92,7 +92,7 @@ class Record {
   uint8_t const* bytes_;
 };
 
-/// Records of one section. A higher minor version may have longer records; what is known is at their
+/// Records of one section. A higher minor version may have longer records; known fields are at their
 /// beginning.
 template <class RecordType>
 struct Table {
@@ -136,7 +136,7 @@ struct ImageView {
 /// Checks everything inside the sections: counts, indices, numbers, stability.
 [[nodiscard]] axisrt_status check_contents(ImageView const& view);
 
-/// Both. What it accepts can be laid out and executed without any further check.
+/// Both checks. An accepted image can be laid out and executed without any further check.
 [[nodiscard]] axisrt_status verify_image(void const* image, size_t size, ImageView& view);
 
 }  // namespace axisc::runtime

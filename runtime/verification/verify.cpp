@@ -65,7 +65,7 @@ axisrt_status check_realisation(ImageView const& view, Record<record::filter> fi
                       view.coefficients.holds(filter[field::filter::first_section], sections));
 }
 
-/// Of what the proof says, what can be judged without computing it again.
+/// Checks everything in the proof that can be judged without computing it again.
 axisrt_status check_proof(Record<record::filter> filter) {
   double const radius = filter[field::filter::pole_radius];
   double const gain_at_zero = filter[field::filter::dc_gain];

@@ -1,4 +1,4 @@
-// Words in which the checks of an image are written.
+// The building blocks of the checks of an image.
 #pragma once
 
 #include "axisrt.h"
@@ -55,7 +55,8 @@ template <class RecordType, size_t Offset>
   return begin < table.count && table[begin][field] == axis ? begin : table.count;
 }
 
-/// The sum of |h| is never below |H(1)|. A compiler whose sums were not rounded upwards may have stored a little less.
+/// The sum of |h| is never below |H(1)|. A compiler whose sums were not rounded upwards may have stored a
+/// little less.
 [[nodiscard]] inline bool is_possible_gain(double peak_gain, double gain_at_zero) {
   return peak_gain > 0 && peak_gain >= gain_at_zero * (1 - 0x1p-20);
 }

@@ -20,7 +20,7 @@ bool fits_its_tails(Record<record::kernel> kernel, uint32_t tails) {
   return h == 0 ? delay == tails : h <= tails && 2 * h == tails && delay == h;
 }
 
-/// Of what the proof says, what can be judged without computing it again.
+/// Checks everything in the proof that can be judged without computing it again.
 axisrt_status check_proof(Record<record::kernel> kernel) {
   double const sum = kernel[field::kernel::kernel_sum];
   double const peak_gain = kernel[field::kernel::peak_gain];
@@ -96,7 +96,7 @@ axisrt_status check_choice(ImageView const& view, uint32_t member, uint32_t choi
   return check_bounds(is_executable(view, kernel, view.slots[slot][field::slot::history]));
 }
 
-/// What the groups before have claimed of the sections that they share.
+/// The parts of shared sections that earlier groups have claimed.
 struct Claimed {
   uint32_t members = 0;
   uint32_t banks = 0;

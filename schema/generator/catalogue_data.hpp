@@ -1,4 +1,5 @@
-// The catalogues as the generator sees them: the rows of axis-parameters.json and of other-lists.json, checked.
+// The catalogues as the generator sees them: the rows of axis-parameters.json and of other-lists.json,
+// checked.
 #pragma once
 
 #include "schema/generator/kind_writer.hpp"
@@ -10,7 +11,7 @@
 
 namespace axisc::schema::generator {
 
-/// What is wrong with the data, in words for the person who edits it.
+/// A mistake in the data, in words for the person who edits it.
 class DataError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -22,7 +23,7 @@ class DataError : public std::runtime_error {
 [[nodiscard]] std::vector<ParameterRow> read_catalogue(std::string const& data_text,
                                                        std::string const& schema_text);
 
-/// The same of the other kinds of lists, without a JSON schema: what does not fit throws.
+/// Reads the data of the other kinds of lists, without a JSON schema: data that does not fit throws.
 [[nodiscard]] KindRows read_kinds(std::string const& data_text);
 
 }  // namespace axisc::schema::generator

@@ -34,7 +34,8 @@ std::optional<std::vector<std::uint32_t>> places_for(std::vector<std::uint64_t> 
 PerfectHash make_perfect_hash(std::vector<std::string> const& names) {
   auto const count = static_cast<std::uint32_t>(names.size());
   PerfectHash table;
-  // Three names to a bucket and at most two thirds of the places taken: small tables, and the search ends at once.
+  // Three names to a bucket and at most two thirds of the places taken: small tables, and the search ends at
+  // once.
   table.geometry = {.buckets = std::bit_ceil(count / 3 + 1), .places = std::bit_ceil(count + count / 2)};
   table.displacements.resize(table.geometry.buckets);
   table.entries.resize(table.geometry.places);

@@ -15,8 +15,8 @@ struct PerfectHash {
   std::vector<std::uint16_t> entries;        ///< per place: index of the name, 0 where the place is free
 };
 
-/// `names` are distinct. Throws std::runtime_error when no displacement is found, which would take two names with the
-/// same 64 bit hash or a far larger set.
+/// `names` are distinct. Throws std::runtime_error when no displacement is found, which would take two names
+/// with the same 64 bit hash or a far larger set.
 [[nodiscard]] PerfectHash make_perfect_hash(std::vector<std::string> const& names);
 
 }  // namespace axisc::schema::generator

@@ -12,7 +12,8 @@
 namespace axisc::schema::generator {
 namespace {
 
-/// Of a text that is a decimal number as lists write them; everything else is read where it is asked for.
+/// The number of a text that is a decimal number as lists write them; other texts are read when they are
+/// used.
 std::optional<double> decimal_number(std::string const& text) {
   std::string_view digits = text;
   if (digits.starts_with('-')) digits.remove_prefix(1);
@@ -26,7 +27,7 @@ std::optional<double> decimal_number(std::string const& text) {
   return number;
 }
 
-/// That reads as the same number again.
+/// A literal that reads back as the same number.
 std::string shortest_text(double number) {
   std::array<char, 32> text{};
   auto const [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);

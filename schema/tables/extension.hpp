@@ -1,5 +1,5 @@
-// The catalogue with the rows of schema files: its own tables, made once when such files are read. What the
-// built-in tables find is still found there.
+// The catalogue with the rows of schema files: its own tables, made once when such files are read. Names of
+// the built-in tables are still found there.
 #pragma once
 
 #include "schema/tables/own_tables.hpp"
@@ -41,7 +41,7 @@ class Extension final : public OwnTables {
   void add(ParameterRow const& row);
 
   std::vector<ParameterRow> own_;
-  std::deque<std::vector<Symbol>> symbols_;  ///< what the rows' spans show
+  std::deque<std::vector<Symbol>> symbols_;  ///< the rows' spans refer to these
   std::vector<Parameter> rows_;
   std::vector<PlainValues> plain_;  ///< of each row
   std::vector<Slot> limited_;

@@ -8,8 +8,8 @@
 
 namespace axisc::schema {
 
-/// The tables of a kind, which is not `axis`. Cost: the first call for a kind takes its names apart, well below a
-/// millisecond; any thread may call.
+/// The tables of a kind, which is not `axis`. Cost: the first call for a kind takes its names apart, well
+/// below a millisecond; any thread may call.
 [[nodiscard]] std::shared_ptr<OwnTables const> kind_tables(ListKind kind);
 
 /// The one kind of which names begin like this one, with the text before the first `.` or `[`: channel for

@@ -1,4 +1,4 @@
-// What a catalogue asks where it is not the built-in one of axis parameters.
+// The look-ups of a catalogue other than the built-in one of axis parameters.
 #pragma once
 
 #include "schema/parameter_row.hpp"
@@ -12,7 +12,7 @@
 
 namespace axisc::schema {
 
-/// Each function answers as the one of that name in Catalogue.
+/// Each function answers like the one of that name in Catalogue.
 class OwnTables {
  public:
   OwnTables() = default;
@@ -26,7 +26,7 @@ class OwnTables {
   [[nodiscard]] virtual std::span<Parameter const> parameters() const = 0;
   [[nodiscard]] virtual std::size_t slot_count() const = 0;
   [[nodiscard]] virtual NameLookup find_as_written(std::string_view text) const = 0;
-  /// Of a name exactly as the catalogue spells it, whatever it looks like.
+  /// The parameter of a name exactly as the catalogue spells it; the name may have any form.
   [[nodiscard]] virtual PlainParameter find_plain(std::string_view name) const = 0;
   [[nodiscard]] virtual std::span<ParameterId const> find_number(std::uint16_t number) const = 0;
   [[nodiscard]] virtual std::span<Slot const> slots_limited_by_others() const = 0;

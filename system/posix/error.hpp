@@ -6,7 +6,7 @@
 namespace axisc::system {
 
 [[nodiscard]] Error error_of(int number);
-/// Of errno.
+/// The error that errno stands for.
 [[nodiscard]] Error last_error();
 
 }  // namespace axisc::system

@@ -39,7 +39,7 @@ FileStatus status_from(struct stat const& facts) {
           .group = facts.st_gid};
 }
 
-/// What /proc, /sys and their like hold is said of processes and devices, by whatever name and links it was reached.
+/// Files of /proc, /sys and their like describe processes and devices, whatever names and links lead to them.
 bool is_of_kernel([[maybe_unused]] int file) {
 #if defined(__linux__)
   constexpr std::array<std::uint32_t, 12> file_systems = {
@@ -172,7 +172,7 @@ std::optional<Error> File::close() {
 
 std::optional<Error> File::take_over_owner(FileStatus const& other) const {
   int const file = descriptor(handle_);
-  // Only root may give a file away; the others keep their own name on it, and the group where they belong to it.
+  // Only root may give a file away; other users remain its owner, and can set the group if they belong to it.
   bool const is_given = ::fchown(file, other.user, other.group) == 0;
   if (!is_given) {
     [[maybe_unused]] bool const has_group = ::fchown(file, static_cast<uid_t>(-1), other.group) == 0;

@@ -14,7 +14,7 @@ struct FolderCloser {
   void operator()(DIR* folder) const { ::closedir(folder); }
 };
 
-/// Some file systems do not say what an entry is.
+/// Some file systems do not report the kind of an entry.
 FileKind kind_in(std::string const& folder, dirent const& entry) {
   switch (entry.d_type) {
     case DT_REG:

@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::array ending_signals = {SIGINT, SIGTERM, SIGHUP};
 
-// A handler has no other way to know. It may read atomics without locks, and unlink() is safe in it.
+// A handler has no other way to access these. It may read atomics without locks, and unlink() is safe in it.
 using Path = std::atomic<char const*>;
 static_assert(Path::is_always_lock_free);
 std::array<Path, most_files_at_once> paths;
 
-// A signal reaches one thread while others go on.
-std::atomic<unsigned> makers{0};  // threads that have made a file and not remembered it yet
+// A signal reaches one thread while others continue.
+std::atomic<unsigned> makers{0};  // threads that have made a file and not registered it yet
 std::atomic<bool> is_ending{false};
 
 void wait_a_millisecond() {
@@ -32,7 +32,7 @@ extern "C" void remove_files(int signal) {
   for (Path const& path : paths) {
     if (char const* const name = path.load(); name != nullptr) ::unlink(name);
   }
-  // The handler is reset: this ends the program as soon as it returns, and the caller sees which signal it was.
+  // The handler is reset: this ends the program as soon as it returns, and the caller sees the signal.
   static_cast<void>(::raise(signal));
 }
 

@@ -19,7 +19,8 @@ void prepare_streams() {
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
-    // open() takes the lowest free number, which is this one. Writing to it fails like writing to the closed one.
+    // open() takes the lowest free number, which is this one. Writing to it fails like writing to the closed
+    // one.
     if (::fcntl(descriptor, F_GETFD) == -1) static_cast<void>(::open("/dev/null", O_RDONLY));
   }
 }

@@ -39,7 +39,7 @@ class Pipe {
   bool is_open_ = false;
 };
 
-/// Where the streams of the new program lead. It is not to inherit which signals this one ignores.
+/// The streams of the new program. It must not inherit which signals this one ignores.
 class Preparation {
  public:
   Preparation(Pipe const& output, Pipe const& errors) {

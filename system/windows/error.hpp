@@ -6,7 +6,7 @@
 namespace axisc::system {
 
 [[nodiscard]] Error error_of(unsigned long number);
-/// Of GetLastError().
+/// The error that GetLastError() stands for.
 [[nodiscard]] Error last_error();
 
 }  // namespace axisc::system

@@ -14,7 +14,7 @@ namespace {
 
 constexpr DWORD share_everything = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 constexpr DWORD most_at_once = 1U << 30U;
-/// Nothing here has bits for groups; the access list says what others may do.
+/// Windows has no bits for groups; the access list defines what others may do.
 constexpr unsigned permissions_of_owner = 0600;
 
 HANDLE handle_of(std::intptr_t handle) {
@@ -46,7 +46,7 @@ Result<std::size_t> read_some(HANDLE file, std::span<char> buffer, OVERLAPPED* p
   if (::ReadFile(file, buffer.data(), wanted, &got, place) != 0) return std::size_t{got};
   DWORD const error = ::GetLastError();
   if (error == ERROR_HANDLE_EOF || error == ERROR_BROKEN_PIPE) return std::size_t{0};
-  // That is what reading a folder gives.
+  // This is the error of reading a folder.
   if (error == ERROR_INVALID_FUNCTION) {
     return Error{.refusal = Refusal::is_folder, .number = static_cast<int>(error)};
   }
@@ -82,7 +82,7 @@ Result<FileStatus> status_from(HANDLE file) {
   if (::GetFileType(file) != FILE_TYPE_DISK) return FileStatus{.permissions = permissions_of_owner};
   BY_HANDLE_FILE_INFORMATION facts{};
   if (::GetFileInformationByHandle(file, &facts) == 0) {
-    // A handle that was inherited may be read without being known more of.
+    // An inherited handle may be readable although nothing else is known about it.
     if (::GetLastError() == ERROR_INVALID_HANDLE) return FileStatus{.permissions = permissions_of_owner};
     return last_error();
   }

@@ -12,7 +12,7 @@ namespace {
 using Path = std::atomic<char const*>;
 std::array<Path, most_files_at_once> paths;
 
-std::atomic<unsigned> makers{0};  // threads that have made a file and not remembered it yet
+std::atomic<unsigned> makers{0};  // threads that have made a file and not registered it yet
 std::atomic<bool> is_ending{false};
 
 /// Windows calls it in a thread of its own.
@@ -23,7 +23,7 @@ BOOL WINAPI remove_files(DWORD /*event*/) {
   for (Path const& path : paths) {
     if (char const* const name = path.load(); name != nullptr) ::DeleteFileW(wide_path(name).c_str());
   }
-  return FALSE;  // what ends the program follows
+  return FALSE;  // the next handler ends the program
 }
 
 void handle_events() {

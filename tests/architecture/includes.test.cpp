@@ -356,3 +356,37 @@ TEST_CASE("Spirit lives in grammar/ and nowhere else") {
     }
   }
 }
+
+TEST_CASE("modules of the page and of the extension form no circle") {
+  std::regex const import("from '(\\.[^']+)'");
+  for (std::string const folder : {"web/src", "editor/clients/vscode/src"}) {
+    fs::path const root = fs::path(AXISC_SOURCE_DIR) / folder;
+    std::map<std::string, std::set<std::string>> reached;
+    for (auto const& entry : fs::recursive_directory_iterator(root)) {
+      if (entry.path().extension() != ".ts") continue;
+      auto& imported = reached[entry.path().lexically_relative(root).generic_string()];
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (!std::regex_search(line, match, import)) continue;
+        auto const module = entry.path().parent_path() / (match[1].str() + ".ts");
+        imported.insert(module.lexically_normal().lexically_relative(root).generic_string());
+      }
+    }
+    CHECK(reached.size() > 5);
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (auto& [module, imported] : reached) {
+        for (auto const& next : std::set<std::string>(imported)) {
+          auto const beyond = reached.find(next);
+          if (beyond == reached.end()) continue;
+          for (auto const& far : beyond->second) grown = imported.insert(far).second || grown;
+        }
+      }
+    }
+    for (auto const& [module, imported] : reached) {
+      INFO(folder << "/" << module << " imports itself through others");
+      CHECK_FALSE(imported.contains(module));
+    }
+  }
+}

@@ -1,6 +1,7 @@
 // What this processor computes for an image at level portable, for comparison with another processor.
 //
-//   reference_outputs IMAGE            every output of the motion, one hexadecimal number a line, each with a comma: the
+//   reference_outputs IMAGE            every output of the motion, one hexadecimal number a line, each with a
+//   comma: the
 //                                      initialisers of a C array
 //   reference_outputs --memory IMAGE   bytes that the runtime needs at its best level, and at level portable
 #include "axisrt.h"

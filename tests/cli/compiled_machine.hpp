@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // The commands of the documentation are real: each block that begins with `$` is executed in a copy of the samples, and
 // what it prints is what the document shows. AXISC_UPDATE_GOLDEN=1 writes the outputs into the document.
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <array>
 #include <cstdio>

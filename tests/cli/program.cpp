@@ -1,6 +1,6 @@
 #include "cli/program.hpp"
 
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <cstdlib>

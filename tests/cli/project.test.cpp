@@ -1,7 +1,7 @@
 // A TwinCAT 3 project: the same machine as a controller's folder, and repairs inside CDATA sections only.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 

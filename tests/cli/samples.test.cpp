@@ -1,8 +1,8 @@
 // Lists as they are: the manuals' own examples, and a long one in the manner of those found on machines.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "schema/catalogue.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <filesystem>

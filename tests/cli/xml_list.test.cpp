@@ -1,7 +1,7 @@
 // Lists in XML: checked as lists of their kind, and a start-up list in XML is a machine.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <filesystem>

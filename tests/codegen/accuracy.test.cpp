@@ -1,5 +1,5 @@
-// The accuracy that is promised, through the whole path: design, rounding, image, runtime. T = 125 µs, f0 = 1 Hz,
-// positions near 1e9 units (100 m in 0.1 µm).
+// The accuracy that is promised, through the whole path: design, rounding, image, runtime. T = 125 µs, f0 = 1
+// Hz, positions near 1e9 units (100 m in 0.1 µm).
 #include "codegen/image_writer.hpp"
 #include "exact_filter.hpp"
 #include "machines.hpp"

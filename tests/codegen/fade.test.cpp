@@ -30,7 +30,8 @@ TEST_CASE("a fade takes at least a cycle and at most 4096", "[fade]") {
   CHECK(fade_cycles(0, limits) == 1);
   CHECK(fade_cycles(1e-9, limits) == 1);
   CHECK(fade_cycles(1e9, limits) == 0);
-  // The limit of velocity does not bind before that of acceleration does: F is close to 15 L where v/a is small.
+  // The limit of velocity does not bind before that of acceleration does: F is close to 15 L where v/a is
+  // small.
   MotionLimits const stiff{.velocity = 1e-6, .acceleration = 1e6};
   CHECK(fade_cycles(273, stiff) == 4096);
   CHECK(fade_cycles(273.1, stiff) == 0);

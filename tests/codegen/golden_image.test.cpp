@@ -1,5 +1,5 @@
-// Images of every format version that ever landed. A committed image is never made anew: what is out in the field has to
-// be read for good.
+// Images of every format version that ever landed. A committed image is never made anew: what is out in the
+// field has to be read for good.
 #include "codegen/image_writer.hpp"
 #include "codegen/source_digest.hpp"
 #include "image/image_contents.hpp"
@@ -38,7 +38,8 @@ Number number_at(std::vector<std::byte> const& image, std::size_t at) {
   return number;
 }
 
-/// A number of each record of a section that axisc 0.2.0 did not round upwards, or took from the unrounded design.
+/// A number of each record of a section that axisc 0.2.0 did not round upwards, or took from the unrounded
+/// design.
 struct ProofField {
   std::uint32_t section = 0;
   std::size_t offset = 0;

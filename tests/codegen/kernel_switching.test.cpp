@@ -19,7 +19,8 @@ using design::KernelType;
 
 constexpr std::size_t axes = 5;
 
-/// FIR filters of three kinds, alone and behind a low-pass that overshoots, and NoVib in front of a band-stop.
+/// FIR filters of three kinds, alone and behind a low-pass that overshoots, and NoVib in front of a
+/// band-stop.
 machine::Machine switching_machine() {
   machine::Machine machine;
   machine.cycle_time = {1'000'000};
@@ -99,8 +100,8 @@ class Watch {
     }
   }
 
-  /// The largest excess over the bounds, in ulps of setpoint or output, whichever is larger (as in the accuracy that
-  /// axisrt_step states).
+  /// The largest excess over the bounds, in ulps of setpoint or output, whichever is larger (as in the
+  /// accuracy that axisrt_step states).
   void check(std::size_t axis, double x, double y, axisrt_axis_state const& state,
              MotionLimits const& limits) {
     Watched& watched = watched_[axis];

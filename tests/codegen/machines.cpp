@@ -95,8 +95,8 @@ FilterSpecification random_filter(Random& random, design::CycleTime cycle_time, 
   filter.type = design::filter_kinds[random.below(design::filter_kinds.size())].type;
   filter.prototype = static_cast<Prototype>(1 + random.below(3));
   filter.order = 1 + random.below(design::uses_quality(filter.type) ? 3 : 6);
-  // Low frequencies are the common and the hard ones: an octave first, up to 95 % of 0.5/T. Powers of two instead of
-  // the mathematical library: the same machines on every host.
+  // Low frequencies are the common and the hard ones: an octave first, up to 95 % of 0.5/T. Powers of two
+  // instead of the mathematical library: the same machines on every host.
   double const highest = 0.95 * cycle_time.nyquist().value;
   std::uint32_t octaves = 1;
   while (std::ldexp(lowest.value, static_cast<int>(octaves)) < highest) ++octaves;

@@ -14,16 +14,17 @@
 
 namespace axisc::test {
 
-/// Three axes and a spindle: shared and own sections, shares, a pure delay, the additional interface, a source map
-/// with repeated texts, an axis without filters.
+/// Three axes and a spindle: shared and own sections, shares, a pure delay, the additional interface, a
+/// source map with repeated texts, an axis without filters.
 [[nodiscard]] machine::Machine sample_machine();
 
 /// One translatory axis X with these filters as filter[0], filter[1], ...
 [[nodiscard]] machine::Machine machine_with(std::vector<design::FilterSpecification> const& filters,
                                             design::CycleTime cycle_time);
 
-/// Two channels with FIR and HSC kernels, their banks and fades, position control with a gantry slave: X Gaussian, PT1 and
-/// the manual's two stages; Y a time delay; Z NoVib in front of a band-pass; W slave of X; C a filter of order 0.
+/// Two channels with FIR and HSC kernels, their banks and fades, position control with a gantry slave: X
+/// Gaussian, PT1 and the manual's two stages; Y a time delay; Z NoVib in front of a band-pass; W slave of X;
+/// C a filter of order 0.
 [[nodiscard]] machine::Machine kernel_machine();
 /// The example of the manual: 53 Hz DIRECT, 11 Hz INDIRECT.
 [[nodiscard]] machine::PositionControl manual_position_control();

@@ -1,4 +1,5 @@
-// Bytes of the naive image: little-endian numbers at given offsets, texts and self-tests that are stored once.
+// Bytes of the naive image: little-endian numbers at given offsets, texts and self-tests that are stored
+// once.
 #pragma once
 
 #include <cstddef>

@@ -33,7 +33,8 @@ std::string digest_input(machine::Machine const& machine) {
   return input;
 }
 
-/// y = H x in 100 digits with the textbook's direct form, whose coefficients follow exactly from the stored ones.
+/// y = H x in 100 digits with the textbook's direct form, whose coefficients follow exactly from the stored
+/// ones.
 std::vector<Wide> direct_form(design::IncrementSection const& section, bool blocks_constant,
                               std::vector<Wide> const& x) {
   Wide const a2 = 1 - Wide(section.b);

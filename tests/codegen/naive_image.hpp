@@ -1,5 +1,5 @@
-// A second writer of images, as plain as possible: written from docs/image-format.md alone, with its own checksum and
-// its own evaluation of the self-tests. It shares only the filter design with the compiler.
+// A second writer of images, as plain as possible: written from docs/image-format.md alone, with its own
+// checksum and its own evaluation of the self-tests. It shares only the filter design with the compiler.
 #pragma once
 
 #include "configuration/machine/machine.hpp"

@@ -3,6 +3,7 @@
 
 #include "codegen/image_writer.hpp"
 #include "image/chain_figures.hpp"
+#include "image/step_answers.hpp"
 #include "machines.hpp"
 #include "support/catch.hpp"
 
@@ -37,6 +38,32 @@ TEST_CASE("an axis does alone what it does in its machine, and all at once what 
       auto const own = write_image(part.machine, {});
       check_same(together[i], image::chain_figures(own, test::contents_of(own), std::size_t{0}));
     }
+  }
+}
+
+TEST_CASE("steps of all axes are executed once, however many ask", "[image]") {
+  auto const image = write_image(test::sample_machine(), {});
+  auto const contents = test::contents_of(image);
+  image::StepAnswers steps(image, contents);
+  CHECK(steps.cycles() == 0);
+  auto created = image::RuntimeHost::create(image);
+  auto& host = std::get<image::RuntimeHost>(created);
+  REQUIRE(host.reset_all(0) == AXISRT_OK);
+  std::vector<double> const setpoints(contents.axes.size(), 1);
+  std::vector<double> filtered(setpoints.size());
+  for (std::uint64_t n = 1; n <= 50; ++n) {
+    static_cast<void>(host.step(setpoints, filtered));
+    for (std::size_t axis = 0; axis < filtered.size(); ++axis) {
+      auto const answer = steps.answer(axis, n);
+      REQUIRE(answer.size() == n);
+      CHECK(answer.back() == filtered[axis]);
+    }
+    CHECK(steps.cycles() == n);
+  }
+  CHECK(steps.answer(0, 20).size() == 20);
+  CHECK(steps.cycles() == 50);
+  for (std::size_t axis = 0; axis < contents.axes.size(); ++axis) {
+    check_same(steps.figures(axis), image::chain_figures(image, contents, axis));
   }
 }
 

@@ -1,5 +1,5 @@
-// Peak gains of images are upper bounds of Σ|h|: no setpoint is amplified more, whatever rounding does, and also where a
-// response is too long to be summed up.
+// Peak gains of images are upper bounds of Σ|h|: no setpoint is amplified more, whatever rounding does, and
+// also where a response is too long to be summed up.
 #include "codegen/image_writer.hpp"
 #include "codegen/proof.hpp"
 #include "machines.hpp"
@@ -37,8 +37,9 @@ std::vector<FilterDesign> chain_of(std::vector<FilterSpecification> const& speci
   return chain;
 }
 
-/// Impulse response of a chain in extended precision, by the transfer function H - 1 (or H) = (p + q z^-1)(1 - z^-1)/A(z) of the
-/// increment form in transposed direct form: neither the recursion nor the states of the code under test.
+/// Impulse response of a chain in extended precision, by the transfer function H - 1 (or H) = (p + q z^-1)(1
+/// - z^-1)/A(z) of the increment form in transposed direct form: neither the recursion nor the states of the
+/// code under test.
 class Impulse {
  public:
   explicit Impulse(std::vector<FilterDesign> const& chain) : chain_(chain) {

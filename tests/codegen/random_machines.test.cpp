@@ -1,5 +1,5 @@
-// Machines of every type, order, prototype, share and cycle time go all the way: design, image, verify, create with its
-// self-tests, and a step from rest.
+// Machines of every type, order, prototype, share and cycle time go all the way: design, image, verify,
+// create with its self-tests, and a step from rest.
 #include "codegen/image_writer.hpp"
 #include "machines.hpp"
 #include "support/catch.hpp"

@@ -45,7 +45,8 @@ TEST_CASE("the runtime passes self-tests with margin", "[self-test]") {
             filter.frequency.value, filter.quality, filter.time_constant.value, filter.share_percent);
     std::vector<std::byte> const image = write_image(test::machine_with({filter}, cycle_time), {});
     image::RuntimeHost runtime = test::runtime_for(image);
-    // Two are allowed; how the runtime's order of operations differs from the compiler's model takes a little.
+    // Two are allowed; how the runtime's order of operations differs from the compiler's model takes a
+    // little.
     CHECK(largest_error_in_ulp(runtime, test::contents_of(image).axes[0].filters[0]) <= 1.25);
   }
 }

@@ -1,5 +1,5 @@
-// Worked examples, the arithmetic written out; v_add in um/s or 1e-3 degree/s, the drive's distance unit is 1 um or 0.001
-// degree.
+// Worked examples, the arithmetic written out; v_add in um/s or 1e-3 degree/s, the drive's distance unit is 1
+// um or 0.001 degree.
 #include "codegen/velocity_scaling.hpp"
 
 #include "codegen/image_writer.hpp"

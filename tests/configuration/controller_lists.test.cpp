@@ -90,6 +90,17 @@ TEST_CASE("a channel has axes, spindles, couplings and programs that run by them
   CHECK(list.folders.size() == 1);
 }
 
+TEST_CASE("G80 to G89 call programs that the channel names") {
+  std::string text;
+  for (char digit = '0'; digit <= '9'; ++digit) {
+    text += std::string("g8") + digit + "_prog_file drill" + digit + ".nc\n";
+  }
+  ChannelList const list = read_channel_list(source_of(text + "g90_prog_file no.nc\n"), SourceId{});
+  REQUIRE(list.programs.size() == 10);
+  CHECK(list.programs[0].parameter == "g80_prog_file");
+  CHECK(list.programs[9].file.text == "drill9.nc");
+}
+
 TEST_CASE("the cycle time is that of the interpolator's thread, else that of the list") {
   CHECK(cycle_of("cycle_time 1000\n") == "1000000@11");
   CHECK(cycle_of("cycle_time 1000\nthread[2].cycle 2000\nthread[2].function[1].name TASK_INT\n") ==

@@ -1,4 +1,5 @@
-// Update and template files: elements named by a parameter's number become lines of a list, shown where the file says them.
+// Update and template files: elements named by a parameter's number become lines of a list, shown where the
+// file says them.
 #include "configuration/xml_list.hpp"
 
 #include "configuration/xml_names.hpp"

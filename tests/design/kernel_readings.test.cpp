@@ -1,4 +1,5 @@
-// Kernels in other readings than the documented one, beside taps by hand and their discrete Fourier transform.
+// Kernels in other readings than the documented one, beside taps by hand and their discrete Fourier
+// transform.
 #include "design/kernel_analysis.hpp"
 #include "support/catch.hpp"
 #include "tests/design/kernel_specifications.hpp"

@@ -89,7 +89,8 @@ TEST_CASE("the loader's test, and what rounding leaves of a design next to half 
       auto const design =
           design_filter(filter_of(FilterType::lowpass, Prototype::critical_damping, order, f0), cycle_time,
                         Precision::exact);
-      // The bilinear transform of the prototype: s = j tan(pi f T) / tan(pi f0 T), and tan(pi/2 - x) = 1/tan(x).
+      // The bilinear transform of the prototype: s = j tan(pi f T) / tan(pi f0 T), and tan(pi/2 - x) =
+      // 1/tan(x).
       double const c = std::sqrt(std::exp2(1.0 / order) - 1);
       double worst = 0;
       for (double const times : {0.1, 0.5, 1.0, 3.0, 10.0, 100.0}) {

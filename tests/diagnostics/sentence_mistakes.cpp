@@ -1,4 +1,5 @@
-// Sentences that must not compile, one for each number; sentence_mistakes.cmake compiles them. Number 0 is right.
+// Sentences that must not compile, one for each number; sentence_mistakes.cmake compiles them. Number 0 is
+// right.
 #include "diagnostics/sentence.hpp"
 
 namespace axisc {

@@ -15,8 +15,8 @@ struct Shown {
   std::size_t width;
 };
 
-Shown show_line(std::string_view line, MarkedPart marked) {
-  ShownLine const shown(line, marked);
+Shown show_line(std::string_view line, MarkedPart marked, std::size_t room = 160) {
+  ShownLine const shown(line, marked, room);
   Shown written{.text = {}, .indent = {}, .width = shown.width()};
   shown.append_text(written.text);
   shown.append_indent(written.indent);
@@ -53,8 +53,8 @@ TEST_CASE("tabs are repeated under the line") {
 TEST_CASE("tabs are repeated under a line that is cut") {
   std::string const line = std::string(200, 'a') + "\tb\t" + "VALUE" + std::string(200, 'c');
   Shown const shown = show_line(line, {.begin = 203, .end = 208});
-  CHECK(shown.text.starts_with("…" + std::string(50, 'a') + "\tb\tVALUE"));
-  CHECK(shown.indent == std::string(51, ' ') + "\t \t");
+  CHECK(shown.text.starts_with("…" + std::string(49, 'a') + "\tb\tVALUE"));
+  CHECK(shown.indent == std::string(50, ' ') + "\t \t");
 }
 
 TEST_CASE("control characters are shown as pictures of the same width") {
@@ -77,24 +77,33 @@ TEST_CASE("a part that goes on behind the line ends with it") {
 TEST_CASE("long lines are cut around the marked part") {
   std::string const line = repeated("ü", 400) + "VALUE" + repeated("µ", 400);
   Shown const shown = show_line(line, {.begin = 400, .end = 405});
-  CHECK(shown.text == "…" + repeated("ü", 53) + "VALUE" + repeated("µ", longest_shown_line - 58) + "…");
-  CHECK(shown.indent.size() == 54);
+  CHECK(shown.text == "…" + repeated("ü", 52) + "VALUE" + repeated("µ", 101) + "…");
+  CHECK(shown.indent.size() == 53);
   CHECK(shown.width == 5);
 }
 
 TEST_CASE("only the side that is too long is cut") {
   std::string const line(161, 'x');
   Shown const front = show_line(line, {.begin = 0, .end = 1});
-  CHECK(front.text == std::string(160, 'x') + "…");
+  CHECK(front.text == std::string(159, 'x') + "…");
   CHECK(front.indent.empty());
   Shown const back = show_line(line, {.begin = 160, .end = 161});
-  CHECK(back.text == "…" + std::string(160, 'x'));
-  CHECK(back.indent.size() == 160);
+  CHECK(back.text == "…" + std::string(159, 'x'));
+  CHECK(back.indent.size() == 159);
   CHECK(show_line(std::string(160, 'x'), {.begin = 159, .end = 160}).text == std::string(160, 'x'));
 }
 
 TEST_CASE("a marked part longer than the shown line is cut with it") {
   Shown const shown = show_line(std::string(1000, 'x'), {.begin = 100, .end = 1000});
-  CHECK(shown.indent.size() == 54);
-  CHECK(shown.width == longest_shown_line - 53);
+  CHECK(shown.indent.size() == 1);
+  CHECK(shown.width == 158);
+}
+
+TEST_CASE("a comment far to the right is shown in a narrow terminal") {
+  std::string const line =
+      "getriebe[0].dynamik.vb_max   200000   ( P-AXIS-00213 : 200 mm/s, rapid traverse of the axis";
+  Shown const shown = show_line(line, {.begin = 40, .end = 52}, 50);
+  CHECK(shown.text.find("P-AXIS-00213") != std::string::npos);
+  CHECK(shown.text.find("P-AXIS-00213") - std::string("…").size() + 1 == shown.indent.size());
+  CHECK(shown.width == 12);
 }

@@ -18,7 +18,8 @@ TEST_CASE("text for a terminal holds nothing that steers it") {
 }
 
 TEST_CASE("what a reader would not see is not visible") {
-  // A separator, joiners and spaces without width, marks of direction, a byte order mark, a tag, a soft hyphen.
+  // A separator, joiners and spaces without width, marks of direction, a byte order mark, a tag, a soft
+  // hyphen.
   for (auto const* const hidden : {"\x1b", "\n", "\x7f", "\u0085", "\u200b", "\u200d", "\u2060", "\u2028",
                                    "\u202e\u202c", "\u2066\u2069", "\ufeff", "\U000e0041", "\u00ad"}) {
     std::string const text = "a"s + hidden + "b";

@@ -1,3 +1,4 @@
+#include "diagnostics/writers/report_writer.hpp"
 #include "diagnostics/writers/writers.hpp"
 #include "example_findings.hpp"
 #include "support/catch.hpp"
@@ -71,6 +72,25 @@ TEST_CASE("text form of a finding without place") {
     CHECK(in_english(finding, sources) ==
           "error[AX9001]: the file cannot be read\n --> axes/missing.lis\n  = it is a folder\n");
   }
+}
+
+TEST_CASE("equal findings are printed once, and their places are counted") {
+  std::unique_ptr<ReportWriter> const report = text_report({});
+  std::string text;
+  for (std::string const name : {"a.lis", "b.lis", "c.lis"}) {
+    SourceSet sources;
+    auto const list = sources.add(SourceText(name, "kopf.achs_nr 1\nfoo 3\nfoo 4\n"));
+    report->add(text, error_at(place_of(sources, list, "foo 3"), "unknown"), sources, {});
+    report->add(text, error_at(place_of(sources, list, "foo 4"), "unknown"), sources, {});
+  }
+  auto const printed = text.size();
+  report->end([&](std::string_view more) { text += more; }, {.has_summary = false});
+  CHECK(text.substr(0, printed).find("a.lis:2:1") != std::string::npos);
+  CHECK(text.substr(0, printed).find("a.lis:3:1") != std::string::npos);
+  CHECK(text.substr(0, printed).find("b.lis") == std::string::npos);
+  CHECK_THAT(text.substr(printed),
+             Catch::Matchers::Contains("the same in more places: 2\n  ::: b.lis:2:1\n  ::: c.lis:2:1\n") &&
+                 Catch::Matchers::Contains("  ::: b.lis:3:1\n  ::: c.lis:3:1\n"));
 }
 
 TEST_CASE("the first word of each severity") {

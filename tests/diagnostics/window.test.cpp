@@ -2,16 +2,14 @@
 #include "diagnostics/fix_batch.hpp"
 #include "support/catch.hpp"
 
-#include <memory>
-
 namespace {
 
 using namespace axisc;
 
 std::string const file = "<a>\n<b><![CDATA[one\ntwo]]></b>\n<b><![CDATA[three]]></b>\n";
 
-SourceText window(std::shared_ptr<std::string const> const& whole, std::string const& text) {
-  auto const begin = static_cast<std::uint32_t>(whole->find(text));
+SourceText window(SourceText const& whole, std::string const& text) {
+  auto const begin = static_cast<std::uint32_t>(whole.bytes().find(text));
   auto const end = begin + static_cast<std::uint32_t>(text.size());
   return {"f.xti", Window{.file = whole, .span = {.begin = begin, .end = end}}};
 }
@@ -28,7 +26,7 @@ Span span_of(SourceText const& source, std::string_view text) {
 }  // namespace
 
 TEST_CASE("lines and columns of a window are those of its file") {
-  SourceText const source = window(std::make_shared<std::string const>(file), "one\ntwo");
+  SourceText const source = window(SourceText("f.xti", file), "one\ntwo");
   CHECK(source.list_bytes() == "one\ntwo");
   CHECK(source.position(source.text_begin()) == Position{.line = 2, .column = 13});
   CHECK(source.position(span_of(source, "two").begin) == Position{.line = 3, .column = 1});
@@ -39,8 +37,20 @@ TEST_CASE("lines and columns of a window are those of its file") {
   CHECK(source.line_span(4).empty());
 }
 
+TEST_CASE("windows of one file are found in any order, several in a line and behind a mark, too") {
+  SourceText const whole("f.xti", "\xEF\xBB\xBF<b>one</b><b>two</b>\n<b>three\nfour</b>");
+  auto const shown = [&](std::string const& text) {
+    SourceText const source = window(whole, text);
+    return source.position(source.text_begin());
+  };
+  CHECK(shown("three") == Position{.line = 2, .column = 4});
+  CHECK(shown("two") == Position{.line = 1, .column = 14});
+  CHECK(shown("one") == Position{.line = 1, .column = 4});
+  CHECK(shown("four") == Position{.line = 3, .column = 1});
+}
+
 TEST_CASE("edits of several windows give one file") {
-  auto const whole = std::make_shared<std::string const>(file);
+  SourceText const whole("f.xti", file);
   SourceSet sources;
   SourceId const first = sources.add(window(whole, "one\ntwo"));
   SourceId const second = sources.add(window(whole, "three"));
@@ -55,7 +65,7 @@ TEST_CASE("edits of several windows give one file") {
 }
 
 TEST_CASE("an edit that would end the CDATA section is refused") {
-  auto const whole = std::make_shared<std::string const>("<b><![CDATA[a]x>b]]></b>");
+  SourceText const whole("f.xti", "<b><![CDATA[a]x>b]]></b>");
   SourceSet sources;
   SourceId const id = sources.add(window(whole, "a]x>b"));
   FixBatch batch(sources);

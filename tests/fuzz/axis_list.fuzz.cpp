@@ -1,6 +1,6 @@
-// Any bytes as an axis list, in both encodings: every span lies inside the text, every line that is not blank says
-// something at most once, every number token converts or is beyond its type, quickly as slowly, and what lines say
-// without the grammar is what they say with it.
+// Any bytes as an axis list, in both encodings: every span lies inside the text, every line that is not blank
+// says something at most once, every number token converts or is beyond its type, quickly as slowly, and what
+// lines say without the grammar is what they say with it.
 #include "grammar/axis_list.hpp"
 
 #include "grammar/number.hpp"

@@ -1,5 +1,6 @@
-// Any sequence of calls on a runtime that has everything: commands, resets, new origins, changes of image, good and bad
-// setpoints. Outputs stay finite, statuses are those that axisrt.h names, and what was recorded replays bit for bit.
+// Any sequence of calls on a runtime that has everything: commands, resets, new origins, changes of image,
+// good and bad setpoints. Outputs stay finite, statuses are those that axisrt.h names, and what was recorded
+// replays bit for bit.
 #include "axisrt.h"
 #include "image/recording.hpp"
 #include "tests/runtime/test_runtime.hpp"

@@ -1,5 +1,5 @@
-// Any bytes as a controller's lists: a start-up list that names the other pieces of the input as lists of each kind.
-// Findings, never a crash; every place lies inside its source.
+// Any bytes as a controller's lists: a start-up list that names the other pieces of the input as lists of
+// each kind. Findings, never a crash; every place lies inside its source.
 #include "diagnostics/writers/writers.hpp"
 #include "validator/check.hpp"
 

@@ -1,5 +1,6 @@
-// Any bytes as an image whose magic, version, size and checksums are right, so that the checks behind them are reached:
-// verify answers with a status and reads nothing outside, and whatever it accepts is created and executed.
+// Any bytes as an image whose magic, version, size and checksums are right, so that the checks behind them
+// are reached: verify answers with a status and reads nothing outside, and whatever it accepts is created and
+// executed.
 #include "axisrt.h"
 #include "runtime/format/crc32c.hpp"
 #include "tests/runtime/aligned_memory.hpp"

@@ -1,4 +1,5 @@
-// A file of a measuring program with any bytes: it is refused, or its peaks are numbers within the band that was asked for.
+// A file of a measuring program with any bytes: it is refused, or its peaks are numbers within the band that
+// was asked for.
 #include "analysis/tuning/identification/measurement.hpp"
 
 #include <cmath>

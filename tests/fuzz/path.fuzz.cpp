@@ -1,5 +1,5 @@
-// Any bytes as an NC program that is simulated: what is refused has its place in the line, and what is followed stays
-// within the velocities of the axes, with figures that are numbers.
+// Any bytes as an NC program that is simulated: what is refused has its place in the line, and what is
+// followed stays within the velocities of the axes, with figures that are numbers.
 #include "analysis/motion/program/interpreter.hpp"
 #include "analysis/motion/simulation.hpp"
 #include "codegen/image_writer.hpp"

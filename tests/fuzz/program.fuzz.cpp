@@ -1,5 +1,6 @@
-// Any bytes as an NC program: every span lies inside the text, commands and words come in the order of the text, the
-// reader that skips words finds the same commands, and what a command asks for can be said in any channel.
+// Any bytes as an NC program: every span lies inside the text, commands and words come in the order of the
+// text, the reader that skips words finds the same commands, and what a command asks for can be said in any
+// channel.
 #include "grammar/line_splitter.hpp"
 #include "grammar/nc_program.hpp"
 #include "grammar/program_excerpt.hpp"

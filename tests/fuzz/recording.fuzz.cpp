@@ -1,4 +1,5 @@
-// A recording in which any words were changed, with right checksums: it is refused, or executed without a bad access.
+// A recording in which any words were changed, with right checksums: it is refused, or executed without a bad
+// access.
 #include "image/recording.hpp"
 
 #include "axisrt.h"

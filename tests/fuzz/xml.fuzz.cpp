@@ -1,5 +1,5 @@
-// Any bytes as a TwinCAT project and as a list in XML: findings inside the file, fixes of a project's lists and of nothing
-// else.
+// Any bytes as a TwinCAT project and as a list in XML: findings inside the file, fixes of a project's lists
+// and of nothing else.
 #include "diagnostics/fix_batch.hpp"
 #include "diagnostics/writers/writers.hpp"
 #include "validator/check.hpp"

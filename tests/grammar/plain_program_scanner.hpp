@@ -1,4 +1,5 @@
-// The language of NC programs once more, as a plain scanner by hand: an oracle for the grammar, written without it.
+// The language of NC programs once more, as a plain scanner by hand: an oracle for the grammar, written
+// without it.
 #pragma once
 
 #include "grammar/nc_program.hpp"

@@ -1,4 +1,5 @@
-// The language of axis lists once more, as a plain scanner by hand: an oracle for the grammar, written without it.
+// The language of axis lists once more, as a plain scanner by hand: an oracle for the grammar, written
+// without it.
 #pragma once
 
 #include "grammar/axis_list.hpp"

@@ -1,5 +1,5 @@
-// What holds for every NC program: the grammar agrees with a plain scanner, spans lie inside the text, and who asks for
-// commands alone gets the same ones.
+// What holds for every NC program: the grammar agrees with a plain scanner, spans lie inside the text, and
+// who asks for commands alone gets the same ones.
 #include "grammar/nc_program.hpp"
 #include "grammar/plain_program_scanner.hpp"
 #include "grammar/program_trace.hpp"

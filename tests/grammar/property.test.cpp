@@ -1,5 +1,5 @@
-// What holds for every list: the grammar agrees with a plain scanner, spans lie inside the text, and no line knows of
-// another one.
+// What holds for every list: the grammar agrees with a plain scanner, spans lie inside the text, and no line
+// knows of another one.
 #include "grammar/axis_list.hpp"
 #include "grammar/plain_scanner.hpp"
 #include "grammar/print_tree.hpp"

@@ -1,4 +1,5 @@
-// Memory at an address divisible by 64, exactly as long as asked for: a read behind its end is seen by the sanitizers.
+// Memory at an address divisible by 64, exactly as long as asked for: a read behind its end is seen by the
+// sanitizers.
 #pragma once
 
 #include <algorithm>

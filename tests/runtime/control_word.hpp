@@ -34,8 +34,8 @@ inline bool seen_subnormals() {
   return (exception_flags() & 0x12U) != 0;
 }
 inline constexpr bool exceptions_are_restored = true;
-/// Start-up's word; the four directions of rounding; one of the two switches for subnormal numbers; both, as the step
-/// sets them; exceptions that trap (none of the calls raises one where the caller's word holds).
+/// Start-up's word; the four directions of rounding; one of the two switches for subnormal numbers; both, as
+/// the step sets them; exceptions that trap (none of the calls raises one where the caller's word holds).
 inline std::vector<ControlWord> callers_control_words() {
   return {0x1F80, 0x3F80, 0x5F80,          0x7F80,           0x9F80, 0x1FC0,
           0x9FC0, 0xFFC0, 0x1F80 & ~0x80U, 0x1F80 & ~0x200U, 0};

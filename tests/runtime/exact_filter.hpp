@@ -1,4 +1,5 @@
-// Filters designed and evaluated in quadruple precision with textbook formulas, independent of the compiler's design.
+// Filters designed and evaluated in quadruple precision with textbook formulas, independent of the compiler's
+// design.
 #pragma once
 
 #include "runtime/image_builder.hpp"

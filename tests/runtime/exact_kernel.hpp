@@ -9,7 +9,8 @@
 
 namespace axisc::test {
 
-/// Starts from the steady state for a position. The taps follow from the tail sums: b_0 = 1 - S_0, b_j = S_(j-1) - S_j.
+/// Starts from the steady state for a position. The taps follow from the tail sums: b_0 = 1 - S_0, b_j =
+/// S_(j-1) - S_j.
 class ExactKernel {
  public:
   ExactKernel(std::vector<double> const& tails, Quad position) : inputs_(tails.size() + 1, position) {

@@ -1,5 +1,5 @@
-// A naive writer of coefficient images. It appends the fields one after the other, as docs/image-format.md lists them,
-// and must not use the format's table: it is the second opinion on the layout.
+// A naive writer of coefficient images. It appends the fields one after the other, as docs/image-format.md
+// lists them, and must not use the format's table: it is the second opinion on the layout.
 #pragma once
 
 #include <cstddef>
@@ -152,8 +152,8 @@ struct ImageRecord {
   std::optional<ForeignSection> foreign;
 };
 
-/// The whole image. Kinds stand in ascending order; those of kernels and position control only where there are records, those
-/// that may be skipped only if it is not stripped.
+/// The whole image. Kinds stand in ascending order; those of kernels and position control only where there
+/// are records, those that may be skipped only if it is not stripped.
 [[nodiscard]] Bytes write_image(ImageRecord const& image);
 
 /// Computes both checksums anew from what the header says, as far as it can be followed.

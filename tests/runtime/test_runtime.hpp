@@ -112,7 +112,8 @@ inline Bytes one_axis_image(std::vector<ExactFilter> const& filters,
   return write_image(image);
 }
 
-/// An image of one axis with a kernel that works from start-up, in front of (family 1) or behind (2) these filters.
+/// An image of one axis with a kernel that works from start-up, in front of (family 1) or behind (2) these
+/// filters.
 inline Bytes kernel_image(KernelRecord const& kernel, std::uint32_t family = 2,
                           std::vector<ExactFilter> const& filters = {},
                           std::uint32_t cycle_time_ns = 1'000'000) {
@@ -133,9 +134,10 @@ inline Bytes kernel_image(KernelRecord const& kernel, std::uint32_t family = 2,
 /// self-tests, names and a source map.
 [[nodiscard]] ImageRecord complete_image();
 
-/// A channel of three axes with everything that kernels and position control bring: X with a PT1, a FIR kernel from
-/// start-up and two stages; Y with an HSC kernel that a command switches on, then a low-pass; Z without filters, X's gantry
-/// slave. Banks: the lists' values, ORDER=8 (standstill only), ORDER=3 SHARE=50, FCUT=80, QUALITY=0.5, HSC.
+/// A channel of three axes with everything that kernels and position control bring: X with a PT1, a FIR
+/// kernel from start-up and two stages; Y with an HSC kernel that a command switches on, then a low-pass; Z
+/// without filters, X's gantry slave. Banks: the lists' values, ORDER=8 (standstill only), ORDER=3 SHARE=50,
+/// FCUT=80, QUALITY=0.5, HSC.
 [[nodiscard]] ImageRecord channel_image();
 
 }  // namespace axisc::test

@@ -1,4 +1,5 @@
-// What suggest_names() promises, worked out the long way: every name compared with every other, letter by letter.
+// What suggest_names() promises, worked out the long way: every name compared with every other, letter by
+// letter.
 #pragma once
 
 #include <string>

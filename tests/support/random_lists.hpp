@@ -8,8 +8,8 @@
 
 namespace axisc::tests {
 
-/// The list of number `seed`: sound lines, mistakes of many kinds, comments, blank lines, tabs, both kinds of line ends,
-/// umlauts in UTF-8 or windows-1252, with and without a byte order mark.
+/// The list of number `seed`: sound lines, mistakes of many kinds, comments, blank lines, tabs, both kinds of
+/// line ends, umlauts in UTF-8 or windows-1252, with and without a byte order mark.
 [[nodiscard]] inline std::string random_list(std::uint32_t seed) {
   constexpr std::string_view lines[] = {
       "kopf.achs_nr 1",

@@ -6,8 +6,8 @@
 
 namespace axisc::test {
 
-/// What is wrong with it: against tests/data/sarif/structure-2.1.0.schema.json and, where the environment names a file in
-/// AXISC_SARIF_SCHEMA, against the schema that OASIS publishes.
+/// What is wrong with it: against tests/data/sarif/structure-2.1.0.schema.json and, where the environment
+/// names a file in AXISC_SARIF_SCHEMA, against the schema that OASIS publishes.
 [[nodiscard]] std::vector<std::string> sarif_complaints(std::string const& text);
 
 /// What is wrong with `text` against a JSON schema (draft 7).

@@ -41,8 +41,8 @@ class Lists {
     SourceText const& source = sources_[list.source];
     ReadList read = read_list(source);
     list.tree = std::move(read.tree);
-    list.readings = std::move(read.readings);
-    list.lost = lost_assignments(source, list.tree, list.readings);
+    list.line_values = std::move(read.line_values);
+    list.lost = lost_assignments(source, list.tree, list.line_values);
     return list;
   }
 

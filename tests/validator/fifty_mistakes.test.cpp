@@ -1,5 +1,5 @@
-// One list with a mistake on each of fifty lines: fifty findings, each at its line and column, whatever stands before
-// the mistake on its line.
+// One list with a mistake on each of fifty lines: fifty findings, each at its line and column, whatever
+// stands before the mistake on its line.
 #include "support/catch.hpp"
 #include "support/checked.hpp"
 

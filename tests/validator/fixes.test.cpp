@@ -13,7 +13,8 @@ namespace {
 
 using namespace axisc;
 
-/// The text with the fix of the first finding of that code; "none" where it has none, "no finding" without a finding.
+/// The text with the fix of the first finding of that code; "none" where it has none, "no finding" without a
+/// finding.
 std::string fixed(std::string const& name, std::string const& text, Code code) {
   tests::MapFiles files(std::map<std::string, std::string>{{name, text}});
   SourceSet sources;

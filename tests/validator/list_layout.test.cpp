@@ -3,8 +3,8 @@
 #include "grammar/axis_list.hpp"
 #include "support/catch.hpp"
 #include "support/random_lists.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/list_reader.hpp"
-#include "validator/values/reading.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "schema/parameter_row.hpp"
 #include "support/catch.hpp"
 #include "validator/same_lists.hpp"
-#include "validator/values/reading.hpp"
+#include "validator/values/line_value.hpp"
 
 #include <cstddef>
 #include <string>
@@ -18,8 +18,8 @@ namespace {
 
 using namespace axisc;
 
-/// Only where a block of text follows a line is it read without the grammar, and only where as many bytes stand before its
-/// value as numbers are read at once.
+/// Only where a block of text follows a line is it read without the grammar, and only where as many bytes
+/// stand before its value as numbers are read at once.
 std::string with_room(std::string const& text) {
   return "# so that numbers may be read\n" + text + "\n" + std::string(70, '#') + "\n";
 }

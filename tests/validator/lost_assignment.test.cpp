@@ -2,8 +2,8 @@
 #include "validator/values/lost_assignment.hpp"
 
 #include "support/catch.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/list_reader.hpp"
-#include "validator/values/reading.hpp"
 
 #include <cstdint>
 #include <string>
@@ -26,7 +26,7 @@ std::vector<Lost> lost_in(std::string text) {
   SourceText const source("x.lis", std::move(text));
   ReadList const list = read_list(source);
   std::vector<Lost> result;
-  for (LostAssignment const& lost : lost_assignments(source, list.tree, list.readings)) {
+  for (LostAssignment const& lost : lost_assignments(source, list.tree, list.line_values)) {
     result.push_back({schema::slot_name(lost.slot), std::string(source.slice(lost.name)), lost.guessed});
   }
   return result;

@@ -74,7 +74,7 @@ TEST_CASE("wrong types are reported at the value") {
 TEST_CASE("a known key is suggested for an unknown one") {
   Checked const checked(
       {{"m.json", "{\"axes\": [{\"name\": \"X\", \"lists\": \"x.lis\", \"list\": \"x.lis\"}]}"},
-       {"x.lis", ""}},
+       {"x.lis", "# X\n"}},
       "m.json");
   REQUIRE(checked.result.findings.size() == 1);
   Finding const& finding = checked.result.findings.front();
@@ -151,7 +151,7 @@ TEST_CASE("machine files do not name one another") {
         std::string(R"("gantries": [], "default_list": "./other.json")")}) {
     Checked const checked({{"m.json", R"({"axes": [{"name": "X", "list": "x.lis"}], )" + member + "}"},
                            {"other.json", other},
-                           {"x.lis", ""}},
+                           {"x.lis", "# X\n"}},
                           "m.json");
     INFO(member);
     REQUIRE(checked.result.findings.size() == 1);
@@ -160,7 +160,7 @@ TEST_CASE("machine files do not name one another") {
   }
   Checked const as_list({{"m.json", R"({"axes": [{"name": "X", "list": "other.json"}]})"},
                          {"other.json", other},
-                         {"x.lis", ""}},
+                         {"x.lis", "# X\n"}},
                         "m.json");
   CHECK(as_list.found() == Lines{"1:33 AX4020"});
 }
@@ -197,7 +197,7 @@ TEST_CASE("a bus in the place of a drive is told the drives that it has") {
   for (std::string const word : {"EtherCAT", "ethercat"}) {
     Checked const checked(
         {{"m.json", R"({"axes": [{"name": "X", "list": "x.lis", "drive": ")" + word + "\"}]}"},
-         {"x.lis", ""}},
+         {"x.lis", "# X\n"}},
         "m.json");
     REQUIRE(checked.result.findings.size() == 1);
     REQUIRE(checked.result.findings.front().help.size() == 1);

@@ -253,7 +253,7 @@ TEST_CASE("AX4015: numbers of axes and of the default list") {
   CHECK(Checked(files, "m.json").found() ==
         Lines{"d.lis:1:14 AX4015", "x.lis:1:14 AX4015", "y.lis:1:14 AX4015"});
   files["d.lis"] = "kopf.achs_nr 5\nkopf.achs_nr 0\n";
-  files["x.lis"] = "";
+  files["x.lis"] = "# X\n";
   files["y.lis"] = "kopf.achs_nr 1\n";
   CHECK(Checked(files, "m.json").found() == Lines{"d.lis:1:14 AX2006"});
 }

@@ -37,7 +37,8 @@ class PiecewiseFiles final : public configuration::Files {
   std::size_t size_;
 };
 
-/// A program of many gigabytes that nobody could hold: one block, again and again, and a mistake in the middle.
+/// A program of many gigabytes that nobody could hold: one block, again and again, and a mistake in the
+/// middle.
 class EndlessFiles final : public configuration::Files {
  public:
   [[nodiscard]] std::variant<std::string, configuration::FileError> read(

@@ -1,10 +1,12 @@
-// Walks over the folders of the rules: each has a row in the table, a page in both languages, a sample that it reports and
-// one that it passes.
+// Walks over the folders of the rules: each has a row in the table, a page in both languages, a sample that
+// it reports and one that it passes.
 //
-// The samples are in the rule's folder. `fail.lis` is a list, for rules about NC programs `fail.nc`, or a folder `fail` with
-// machine.json or hochlauf.lis where a machine is needed; the same with `pass`. `fail.expected` holds the findings in output order,
-// `line:column CODE`, in other files than the input `file:line:column CODE`, without place `- CODE`. A first line
-// `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis or hochlauf.lis; `--in-folder` and
+// The samples are in the rule's folder. `fail.lis` is a list, for rules about NC programs `fail.nc`, or a
+// folder `fail` with machine.json or hochlauf.lis where a machine is needed; the same with `pass`.
+// `fail.expected` holds the findings in output order, `line:column CODE`, in other files than the input
+// `file:line:column CODE`, without place `- CODE`. A first line
+// `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis or hochlauf.lis;
+// `--in-folder` and
 // `--beside-start-up-list` say where the list was found.
 #include "diagnostics/message.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 #include "validator/same_lists.hpp"
 
+#include "validator/values/line_values.hpp"
 #include "validator/values/list_reader.hpp"
-#include "validator/values/readings.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,10 +12,10 @@
 namespace axisc::tests {
 namespace {
 
-using validator::Reading;
-using validator::Readings;
+using validator::LineValue;
+using validator::LineValues;
 
-bool same_readings(Reading const& a, Reading const& b) {
+bool same_readings(LineValue const& a, LineValue const& b) {
   return a.row == b.row &&
          std::bit_cast<std::uint64_t>(a.value.number) == std::bit_cast<std::uint64_t>(b.value.number) &&
          a.value.text == b.value.text && a.reference.p_axis == b.reference.p_axis &&
@@ -29,7 +29,7 @@ bool same_ranges(Range const& a, Range const& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-bool same_readings(Readings const& a, Readings const& b, schema::Catalogue const& catalogue) {
+bool same_readings(LineValues const& a, LineValues const& b, schema::Catalogue const& catalogue) {
   if (a.size() != b.size() || a.has_repetitions() != b.has_repetitions() ||
       a.may_name_numbers() != b.may_name_numbers() || !same_ranges(a.doubtful(), b.doubtful()) ||
       !same_ranges(a.without_value(), b.without_value())) {
@@ -51,7 +51,7 @@ bool same_readings(Readings const& a, Readings const& b, schema::Catalogue const
 
 bool same_lists(validator::ReadList const& a, validator::ReadList const& b,
                 schema::Catalogue const& catalogue) {
-  return a.tree == b.tree && same_readings(a.readings, b.readings, catalogue);
+  return a.tree == b.tree && same_readings(a.line_values, b.line_values, catalogue);
 }
 
 bool reads_as_by_the_grammar(SourceText const& source, schema::Catalogue const& catalogue) {

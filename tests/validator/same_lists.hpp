@@ -2,8 +2,8 @@
 #pragma once
 
 #include "schema/catalogue.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/list_reader.hpp"
-#include "validator/values/reading.hpp"
 
 namespace axisc::tests {
 

@@ -6,8 +6,8 @@
 #include "schema/catalogue.hpp"
 #include "schema/value.hpp"
 #include "support/catch.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/list_reader.hpp"
-#include "validator/values/reading.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -103,9 +103,9 @@ TEST_CASE("short reals are the same numbers, correctly rounded") {
     if (!quick) continue;
     ++read;
     CAPTURE(value);
-    schema::NumberReading const reading = schema::read_real(value);
-    REQUIRE(reading.status == schema::NumberStatus::good);
-    REQUIRE(same(*quick, reading.number));
+    schema::NumberReading const line_value = schema::read_real(value);
+    REQUIRE(line_value.status == schema::NumberStatus::good);
+    REQUIRE(same(*quick, line_value.number));
   }
   CHECK(read > 50000);
   for (char const* value : {"1.5", "-0.0", "123.456", "99999999.9999999", "1.234560e+03", "-3.000000e+001",
@@ -165,29 +165,29 @@ TEST_CASE("a list with short numbers is judged as line by line") {
     for (std::size_t i = 0; i < list.tree.assignments.size(); ++i) {
       axisc::grammar::Assignment const& assignment = list.tree.assignments[i];
       axisc::schema::NameLookup const lookup = catalogue.find(source.slice(assignment.name));
-      Reading expected;
+      LineValue expected;
       expected.text = assignment.value;
       expected.row = lookup.row;
       expected.slot = lookup.slot;
       expected.name_status = lookup.status;
       std::forward_list<std::string> transcoded;
       judge(source, assignment, expected, transcoded);
-      Reading const reading = list.readings[i];
+      LineValue const line_value = list.line_values[i];
       CAPTURE(source.slice(assignment.name), source.slice(assignment.value));
-      REQUIRE(reading.status == expected.status);
-      REQUIRE(reading.number == expected.number);
-      REQUIRE(same(reading.value.number, expected.value.number));
-      REQUIRE(reading.value.text == expected.value.text);
-      REQUIRE(reading.text == expected.text);
-      REQUIRE(reading.trouble == expected.trouble);
-      REQUIRE(reading.slot == expected.slot);
+      REQUIRE(line_value.status == expected.status);
+      REQUIRE(line_value.number == expected.number);
+      REQUIRE(same(line_value.value.number, expected.value.number));
+      REQUIRE(line_value.value.text == expected.value.text);
+      REQUIRE(line_value.text == expected.text);
+      REQUIRE(line_value.trouble == expected.trouble);
+      REQUIRE(line_value.slot == expected.slot);
     }
   }
 }
 
 TEST_CASE("a list knows whether it names a parameter twice") {
   auto const has_repetitions = [](std::string text) {
-    return read_list(axisc::SourceText("x.lis", std::move(text))).readings.has_repetitions();
+    return read_list(axisc::SourceText("x.lis", std::move(text))).line_values.has_repetitions();
   };
   CHECK(has_repetitions("filter[0].order 2\nfilter[1].order 2\nfilter[0].order 2\n"));
   CHECK(has_repetitions("filter[0].type PT2\nfilter[0].TYPE PT2\n"));

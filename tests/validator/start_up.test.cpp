@@ -228,6 +228,16 @@ TEST_CASE("streaming needs no file, and a note says that its lines are not check
   CHECK(loaded(contents).complete);
 }
 
+TEST_CASE("an axis list without any text is a warning, one that sets nothing is not") {
+  Contents contents = controller();
+  contents["y.lis"] = " \r\n\n";
+  CHECK(contains(found(contents), "y.lis:1 AX7001 warning"));
+  contents["y.lis"] = "# kopf.achs_nr 2\n";
+  CHECK_FALSE(contains(found(contents), "y.lis:1 AX7001 warning"));
+  contents["default.lis"] = "";
+  CHECK(contains(found(contents), "default.lis:1 AX7001 warning"));
+}
+
 TEST_CASE("a count above the lists that are named is an error, no axis at all is another") {
   Contents contents = controller();
   SECTION("an axis") {
@@ -236,6 +246,10 @@ TEST_CASE("a count above the lists that are named is an error, no axis at all is
   }
   SECTION("a compensation") {
     contents["hochlauf.lis"] += "zahl_kw 1\n";
+    CHECK(contains(found(contents), "hochlauf.lis:12 AX7002 error"));
+  }
+  SECTION("a channel") {
+    contents["hochlauf.lis"] += "kanal_anzahl 3\n";
     CHECK(contains(found(contents), "hochlauf.lis:12 AX7002 error"));
   }
   SECTION("no axis") {

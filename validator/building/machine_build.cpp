@@ -62,7 +62,7 @@ class AxisBuilder {
         {.place = place, .feature = {.sentence = text, .arguments = std::move(arguments)}});
   }
 
-  /// An error about it was silenced; it must not be left out silently.
+  /// An error about it was suppressed, but the filter must not be left out silently.
   void leave_out_filter(EffectiveValue const& value, std::string name) {
     leave_out(value, says::not_compiled_filter, {{.name = "filter", .value = std::move(name)}});
   }

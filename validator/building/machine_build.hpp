@@ -16,8 +16,8 @@ struct BuiltMachine {
   std::vector<NotCompiled> not_compiled;
 };
 
-/// Call it only if no error was found and every file was read. `views` has one entry per axis. The machine reads
-/// programs again from `files` when their bytes are asked for.
+/// Call it only if no error was found and every file was read. `views` has one entry per axis. The machine
+/// reads programs again from `files` when their bytes are needed.
 [[nodiscard]] BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> const& views,
                                          SourceSet const& sources, configuration::Files& files);
 

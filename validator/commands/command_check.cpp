@@ -75,10 +75,10 @@ SentenceRef text_of(CommandProblemKind kind) {
   return says::filter_syntax_unexpected;
 }
 
-class CommandCheck {
+class CommandChecker {
  public:
-  CommandCheck(NcCommand const& command, std::string_view text, CommandLimits const& limits,
-               Variables variables)
+  CommandChecker(NcCommand const& command, std::string_view text, CommandLimits const& limits,
+                 Variables variables)
       : command_(command), text_(text), limits_(limits), variables_(variables) {}
 
   CheckedCommand check() {
@@ -301,7 +301,7 @@ class CommandCheck {
 
 CheckedCommand check_command(NcCommand const& command, std::string_view text, CommandLimits const& limits,
                              Variables variables) {
-  return CommandCheck(command, text, limits, variables).check();
+  return CommandChecker(command, text, limits, variables).check();
 }
 
 CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& limits) {

@@ -1,4 +1,4 @@
-// From a parsed command of an NC program to what it asks for, or to what is wrong with it.
+// From a parsed command of an NC program to its meaning, or to its mistakes.
 #pragma once
 
 #include "configuration/machine/filter_command.hpp"
@@ -21,7 +21,7 @@ struct CommandLimits {
   design::CycleTime cycle_time;
   bool time_delay = false;  ///< an axis of the channel has the FIR time delay, which ends at order 100
 
-  design::Readings readings{};  ///< of the control: what it makes of its filters
+  design::Readings readings{};  ///< how the control computes its filters
 
   [[nodiscard]] std::uint32_t longest_order() const {
     return time_delay ? design::longest_kernel_delay
@@ -32,8 +32,8 @@ struct CommandLimits {
   }
 };
 
-/// Whether a value may be a variable of the running program. The value of a variable is unknown before the program
-/// runs.
+/// Whether a value may be a variable of the running program. The value of a variable is unknown before the
+/// program runs.
 enum class Variables : std::uint8_t { accepted, refused };
 
 /// Something wrong with a command: AX5001, or AX5002 for its keywords. Spans count like those of the command.
@@ -45,7 +45,7 @@ struct CommandMistake {
   std::vector<Message> notes;
   std::vector<Message> help;
   std::optional<Span> first;          ///< first occurrence of a repeated keyword
-  std::optional<std::string> better;  ///< what to write in `span` instead
+  std::optional<std::string> better;  ///< the replacement of `span`
   std::string control;                ///< the control's message numbers; empty where none is known
   std::optional<SentenceRef> reaction = says::program_reaction_aborted;  ///< none where it is not documented
   std::string value;  ///< what the control uses instead; empty if unknown
@@ -53,8 +53,8 @@ struct CommandMistake {
 };
 
 struct CheckedCommand {
-  /// #FILTER with its parameters in canonical form. None for #VIB GUARD, and if a value cannot be used: unreadable, out
-  /// of range, or a variable. An ORDER_TIME below one cycle is a mistake and gives order 0.
+  /// #FILTER with its parameters in canonical form. None for #VIB GUARD, and if a value cannot be used:
+  /// unreadable, out of range, or a variable. An ORDER_TIME below one cycle is a mistake and gives order 0.
   std::optional<machine::FilterCommand> command;
   machine::FilterSwitch filter_switch = machine::FilterSwitch::unchanged;  ///< also where there is no command
   bool hsc = false;
@@ -68,8 +68,8 @@ struct CheckedCommand {
 /// The text of one #FILTER command: "#FILTER ON [ORDER=20 SHARE=80]". Without mistakes there is a command.
 [[nodiscard]] CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& limits);
 
-/// True if the command switches FIR filters on, or leaves them on, with an order of its own: ORDER above 0, or
-/// ORDER_TIME. This includes values that are reported as mistakes.
+/// True if the command switches FIR filters on, or leaves them on, with an order of its own: ORDER above 0,
+/// or ORDER_TIME. This includes values that are reported as mistakes.
 [[nodiscard]] bool gives_order(grammar::NcCommand const& command, std::string_view text);
 
 /// True if the command has the keyword HSC: it applies to the HSC filters, not to the FIR filters.

@@ -33,7 +33,8 @@ struct KeywordRange {
   [[nodiscard]] bool contains(double value) const;
 };
 
-/// Keywords of #FILTER or #VIB GUARD, in the order of the manuals; HSC, which has no value, is not among them.
+/// Keywords of #FILTER or #VIB GUARD, in the order of the manuals; HSC, which has no value, is not among
+/// them.
 [[nodiscard]] std::vector<std::string_view> const& keywords_of(grammar::CommandKind kind);
 
 /// The range of one of keywords_of().

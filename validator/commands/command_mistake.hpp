@@ -1,4 +1,4 @@
-// What the checks of commands share: codes, the commands' names, and how a mistake begins.
+// Shared by the checks of commands: codes, the commands' names, and how a mistake begins.
 #pragma once
 
 #include "validator/commands/command_check.hpp"

@@ -7,8 +7,8 @@
 
 namespace axisc::validator {
 
-/// A mistake where another command was probably meant to be one of these two: one slip of the pen, blanks and underscores
-/// aside.
+/// A mistake where another command was probably meant to be one of these two: one slip of the pen, blanks and
+/// underscores aside.
 void check_resembling(grammar::NcCommand const& command, std::string_view text, CheckedCommand& checked);
 
 }  // namespace axisc::validator

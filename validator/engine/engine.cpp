@@ -24,8 +24,8 @@ constexpr Sentence help{"`--cycle-time 2ms`, or \"cycle_time_us\" in a machine f
 namespace axisc::validator {
 namespace {
 
-/// Whether a rule that needs T has anything to check: an active standard filter, a configured FIR or HSC filter, an
-/// enabled Improved Position Control.
+/// Whether a rule that needs T has anything to check: an active standard filter, a configured FIR or HSC
+/// filter, an enabled Improved Position Control.
 bool uses_cycle_time(AxisContext const& axis) {
   for (FilterView const& filter : axis.filters) {
     if (filter.active() || (filter.port == FilterPort::setpoint && filter.is_hsc())) return true;
@@ -67,7 +67,7 @@ class Engine {
     // A bad list yields thousands of findings: reserve once instead of growing.
     std::size_t expected = machine.findings.size();
     for (NamedList const& named : machine.lists) {
-      expected += named.list.tree.problems.size() + named.list.readings.doubtful().size();
+      expected += named.list.tree.problems.size() + named.list.line_values.doubtful().size();
     }
     reported_.findings.reserve(expected);
   }
@@ -109,7 +109,7 @@ class Engine {
     }
   }
 
-  /// By list the axis that alone uses it; empty where several do.
+  /// By list, the one axis that uses it; empty where several do.
   [[nodiscard]] std::vector<std::string_view> owners() const {
     std::vector<std::string_view> owners(machine_.lists.size());
     std::vector<bool> used(machine_.lists.size());
@@ -133,7 +133,8 @@ class Engine {
     }
   }
 
-  /// The catalogues of the other kinds are less complete than that of axis lists: what contradicts them is a warning.
+  /// The catalogues of the other kinds are less complete than that of axis lists: values that contradict them
+  /// are warnings.
   void run_checks_of_other_list(LoadedList const& list) {
     ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
     std::size_t const before = reported_.findings.size();
@@ -255,7 +256,8 @@ class Engine {
     }
   }
 
-  /// Rules that check NC programs together with lists see a command of the machine file as a program of one line.
+  /// Rules that check NC programs together with lists see a command of the machine file as a program of one
+  /// line.
   void run_program_checks_of_set(configuration::LocatedText const& set, LoadedGroup const* group,
                                  std::uint32_t offset, std::optional<Span> instead) {
     auto const command = grammar::parse_nc_command(set.text);
@@ -378,7 +380,7 @@ class Engine {
                        [this](Edit const& edit) { return sources_[edit.place.source].is_translation(); });
   }
 
-  /// In lists of other kinds only names are written anew: too little is known about the rest.
+  /// In lists of other kinds only names are corrected: too little is known about the rest.
   [[nodiscard]] static bool mends_name(Code code) { return code == Code{2001}; }
 
   LoadedMachine const& machine_;
@@ -387,7 +389,7 @@ class Engine {
   SourceSet const& sources_;
   design::CycleTime cycle_time_;
   bool cycle_time_needed_ = false;
-  // What findings refer to until they are output.
+  // Findings refer to these until they are output.
   std::vector<ListContext> list_contexts_;  ///< one per list
   std::deque<AxisContext> axis_contexts_;
   std::deque<Subject> subjects_;

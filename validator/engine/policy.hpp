@@ -1,5 +1,6 @@
-// What the options of a check decide about findings: which rules report nothing, everywhere or in some files, and how
-// severe the others are. The engine applies them before it decides which findings are kept.
+// Decisions that the options of a check make about findings: which rules report nothing, everywhere or in
+// some files, and how severe the others are. The engine applies them before it decides which findings are
+// kept.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -21,7 +22,8 @@ class Policy {
   /// False for a rule that reports nothing in this check: it is disabled, or it has only notes, without
   /// `pedantic` and without a higher severity in the options.
   [[nodiscard]] bool enabled(Rule const& rule) const;
-  /// False if the rule is disabled everywhere, or in this source. Cost: patterns are compared once per source.
+  /// False if the rule is disabled everywhere, or in this source. Cost: patterns are compared once per
+  /// source.
   [[nodiscard]] bool enabled(Rule const& rule, SourceId source);
   /// False for a note of a rule whose findings are usually more than that, without `pedantic`.
   [[nodiscard]] bool shows(Rule const& rule, Severity severity) const;

@@ -49,8 +49,8 @@ auto order(Reported const& finding) {
   return std::make_tuple(finding.severity, place_among_rules(*finding.rule), finding.rule->code);
 }
 
-/// Sort key. Held separately because the findings themselves are far apart in memory, and packed into numbers that
-/// are compared at once.
+/// Sort key. Held separately because the findings themselves are far apart in memory, and packed into numbers
+/// that are compared at once.
 struct Key {
   std::uint64_t begin = 0;  ///< source and offset
   std::uint64_t end = 0;    ///< offset and code
@@ -68,8 +68,8 @@ struct Key {
   friend auto operator<=>(Key const&, Key const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// Nearly every rule reports in the order of the list, so the findings of all rules are a few sorted runs one after the
-/// other.
+/// Nearly every rule reports in the order of the list, so the findings of all rules are a few sorted runs one
+/// after the other.
 void sort_runs(std::vector<Key>& keys) {
   std::vector<std::vector<Key>::iterator> bounds{keys.begin()};
   while (bounds.back() != keys.end()) bounds.push_back(std::is_sorted_until(bounds.back(), keys.end()));

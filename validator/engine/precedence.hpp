@@ -14,8 +14,8 @@ using Standing = std::vector<std::uint32_t>;
 /// Drops findings of rules that another finding on the same filter replaces (`silenced_by`).
 void drop_replaced(ReportedFindings const& reported, Standing& standing);
 
-/// Sorts by place and code, else in the order of reporting; merge_shared() and keep_highest_per_token() need this
-/// order.
+/// Sorts by place and code, else in the order of reporting; merge_shared() and keep_highest_per_token() need
+/// this order.
 void put_in_order(ReportedFindings const& reported, Standing& standing);
 
 /// Findings of one rule at one place, seen from several axes that share a list, become one.
@@ -25,7 +25,8 @@ void merge_shared(ReportedFindings& reported, Standing& standing);
 /// Precedence, then the one of the lower code.
 void keep_highest_per_token(ReportedFindings const& reported, Standing& standing);
 
-/// The order of every output: by source in input order, then line, then column, then code; equal ones keep their order.
+/// The order of every output: by source in input order, then line, then column, then code; equal ones keep
+/// their order.
 void put_in_output_order(ReportedFindings const& reported, Standing& standing);
 
 }  // namespace axisc::validator

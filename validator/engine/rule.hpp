@@ -1,12 +1,13 @@
 // The table of rules. A rule checks and reports; the engine decides what is shown.
 //
-// Each has a folder rules/AXNNNN-name with its row and its check, its pages in both languages and its samples; the
-// build finds the folders and makes the table of their rows.
+// Each has a folder rules/AXNNNN-name with its row and its check, its pages in both languages and its
+// samples; the build finds the folders and makes the table of their rows.
 //
-// Rules that are switched off do not run. From the findings of the others the engine removes, in this order: what the
-// options disable in the finding's file (see policy.hpp); what `axisc: allow` comments silence; what another finding on
-// the same subject silences (`silenced_by`); and for each token all findings but one (`Precedence`), so that one
-// mistake gives one message. Findings of a default list that several axes share are merged.
+// Rules that are switched off do not run. From the findings of the others the engine removes, in this order:
+// those that the options disable in the finding's file (see policy.hpp); those that `axisc: allow` comments
+// silence; those that another finding on the same subject silences (`silenced_by`); and for each token all
+// findings but one (`Precedence`), so that one mistake gives one message. Findings of a default list that
+// several axes share are merged.
 #pragma once
 
 #include "configuration/machine/machine.hpp"
@@ -32,27 +33,27 @@
 
 namespace axisc::validator {
 
-/// What a rule about one list sees.
+/// The context of a rule about one list.
 struct ListContext {
   LoadedList const& list;
   SourceText const& source;
 };
 
-/// What a rule about the whole machine sees: axes, lists, gantries, the machine file's values. A list alone is a
-/// machine of one axis.
+/// The context of a rule about the whole machine: axes, lists, gantries, the machine file's values. A list
+/// alone is a machine of one axis.
 struct MachineContext {
   LoadedMachine const& machine;
   design::CycleTime cycle_time;  ///< the assumed 1 ms where none is known
   SourceSet const& sources;
 };
 
-/// What a rule about one channel sees.
+/// The context of a rule about one channel.
 struct GroupContext {
   MachineContext const& whole;
   LoadedGroup const& group;
 };
 
-/// What a rule about one NC program in one channel sees.
+/// The context of a rule about one NC program in one channel.
 struct ProgramContext {
   MachineContext const& whole;
   LoadedProgram const& program;
@@ -60,8 +61,8 @@ struct ProgramContext {
   LoadedGroup const* group;  ///< null for a program that no channel runs: a program that is checked alone
 };
 
-/// What a rule about one command sees: #FILTER or #VIB GUARD of an NC program, or one of the machine file's
-/// filter_sets.
+/// The context of a rule about one command: #FILTER or #VIB GUARD of an NC program, or one of the machine
+/// file's filter_sets.
 struct CommandContext {
   MachineContext const& whole;
   CheckedCommand const& checked;
@@ -75,7 +76,7 @@ struct CommandContext {
   }
 };
 
-/// What a rule about one axis sees.
+/// The context of a rule about one axis.
 struct AxisContext {
   LoadedMachine const& machine;
   std::size_t index;  ///< into LoadedMachine::axes
@@ -93,13 +94,13 @@ struct AxisContext {
   PositionControlView const& position_control;
 };
 
-/// What a rule about one standard filter sees; every filter that a list touches is shown once.
+/// The context of a rule about one standard filter; every filter that a list touches is checked once.
 struct FilterContext {
   AxisContext const& axis;
   FilterView const& filter;  ///< one of axis.filters
 };
 
-/// What a filter rule may need in addition to the values.
+/// Data that a filter rule may need in addition to the values.
 enum class Needs : std::uint8_t { nothing = 0, cycle_time = 1 };
 
 using ListCheck = void (*)(ListContext const&, Report&);
@@ -113,8 +114,8 @@ using CommandCheck = void (*)(CommandContext const&, Report&);
 using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck, GroupCheck, MachineCheck,
                            ProgramCheck, CommandCheck>;
 
-/// Which of several findings on one token is kept: an error before a warning before a note; then AX1, AX4, AX3, AX2,
-/// any other; then the lower code. A row may move its rule within this order.
+/// Which of several findings on one token is kept: an error before a warning before a note; then AX1, AX4,
+/// AX3, AX2, any other; then the lower code. A row may move its rule within this order.
 enum class Precedence : std::uint8_t {
   of_family,      ///< with the other rules of its family
   before_family,  ///< before its family: it names the mistake more precisely
@@ -122,8 +123,8 @@ enum class Precedence : std::uint8_t {
   after_text,     ///< directly after AX1
 };
 
-/// A rule's row. Its folder's rule.cpp defines it as `axNNNN` in the namespace checks and writes only what differs from
-/// the usual.
+/// A rule's row. Its folder's rule.cpp defines it as `axNNNN` in the namespace checks and writes only what
+/// differs from the usual.
 struct Rule {
   Code code{};
   std::string_view name = {};  ///< as in the folder's name
@@ -131,8 +132,9 @@ struct Rule {
   bool always = false;  ///< a note that is reported without `pedantic` as well
   std::string_view control =
       {};  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
-  /// Parameters whose values the check looks at, separated by blanks, as the catalogue writes them. `filters[].order`
-  /// means the filters of both ports, `ipc.` the family of Improved Position Control, `*` at the end every ending.
+  /// Parameters whose values the check looks at, separated by blanks, as the catalogue writes them.
+  /// `filters[].order` means the filters of both ports, `ipc.` the family of Improved Position Control, `*`
+  /// at the end every ending.
   std::string_view parameters = {};
   /// For a rule that checks every parameter of a kind.
   bool (*about)(schema::Parameter const&) = nullptr;
@@ -207,7 +209,7 @@ template <typename... Checks>
 [[nodiscard]] Rule const* find_rule(Code code);
 /// The index of a rule in the table.
 [[nodiscard]] std::size_t number_of(Rule const& rule);
-/// True if the rule looks at the value of the parameter: `parameters` names it, or `about` says so.
+/// True if the rule looks at the value of the parameter, by `parameters` or by `about`.
 [[nodiscard]] bool looks_at(Rule const& rule, schema::Parameter const& parameter);
 /// The page that `axisc explain` prints about a rule. Cost: one table access.
 [[nodiscard]] Page const& page(Rule const& rule);

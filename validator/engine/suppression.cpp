@@ -34,7 +34,7 @@ constexpr std::string_view blanks = " \t";
 constexpr std::string_view allow = "allow";
 constexpr std::string_view allow_file = "allow-file";
 
-/// A slip of the pen, or what other programs call it.
+/// A slip of the pen, or the word of other programs.
 bool is_misspelt_directive(std::string_view word) {
   for (std::string_view const other : {"disable", "ignore", "suppress", "off", "noqa", "nolint"}) {
     if (ascii::equal_ignoring_case(word, other)) return true;
@@ -90,7 +90,7 @@ std::string trimmed_entry(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(around) + 1 - begin));
 }
 
-/// What a fix removes from the comment, so that the codes before and after it are still read.
+/// The part that a fix removes from the comment, so that the codes before and after it are still read.
 Word removed_with(std::vector<Word> const& words, std::size_t which, std::string_view comment) {
   if (words.size() == 1) {
     std::size_t begin = comment.find("axisc:");
@@ -171,7 +171,7 @@ bool Suppressions::silences(Code code, Place place, SourceSet const& sources) {
   auto const allowances = allowances_.find(place.source);
   if (allowances == allowances_.end() || allowances->second.empty()) return false;
   std::uint32_t const line = sources[place.source].position(place.span.begin).line;
-  // Directives come in the order of the lines, so what they silence does too.
+  // Directives come in the order of the lines, and so do the findings that they silence.
   auto allowance =
       std::lower_bound(allowances->second.begin(), allowances->second.end(), line,
                        [](Allowance const& earlier, std::uint32_t wanted) { return earlier.line < wanted; });

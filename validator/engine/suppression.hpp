@@ -1,4 +1,5 @@
-// Comments that silence findings: `axisc: allow AX3005, decimal-comma` and, for the whole file, `axisc: allow-file AX3005`.
+// Comments that silence findings: `axisc: allow AX3005, decimal-comma` and, for the whole file, `axisc:
+// allow-file AX3005`.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -21,7 +22,7 @@ struct Allowance {
   bool next_line = false;    ///< the comment is alone on its line and applies to the line below
   std::uint32_t line = 0;    ///< the line that it silences
   Place place;               ///< of the code within the comment
-  Place removed;  ///< what a fix removes: the code with its comma; the last code with `axisc: allow`
+  Place removed;  ///< the part that a fix removes: the code with its comma; the last code with `axisc: allow`
   bool used = false;
   bool is_too_much = false;  ///< not a code: the rest of a comment that names too many
 };
@@ -34,8 +35,8 @@ class Suppressions {
   /// True where an allowance silences the finding; it counts as used then.
   bool silences(Code code, Place place, SourceSet const& sources);
 
-  /// AX1013 for everything that silenced nothing. Codes for which `counts(code, source)` is false are not judged: what
-  /// cannot be reported there cannot be silenced either.
+  /// AX1013 for everything that silenced nothing. Codes for which `counts(code, source)` is false are not
+  /// judged: findings that cannot be reported there cannot be silenced either.
   template <typename Counts>
   void report_unused(SourceSet const& sources, Counts counts, ReportedFindings& reported) {
     for (auto& [source, allowances] : allowances_) {

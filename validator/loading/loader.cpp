@@ -28,7 +28,7 @@ bool is_machine_text(std::string_view path, std::string_view text) {
          configuration::looks_like_machine_file(text);
 }
 
-/// Of the file that says the list.
+/// Numbers the lines as in the file that contains the list.
 void number_lines(SourceText const& text, grammar::AxisList& tree) {
   for (grammar::Assignment& line : tree.assignments) line.line = text.position(line.name.begin).line;
   for (grammar::Problem& problem : tree.problems) problem.line = text.position(problem.span.begin).line;
@@ -40,17 +40,17 @@ LoadedList loaded(SourceText const& text, SourceId source, schema::Catalogue con
   list.source = source;
   list.catalogue = catalogue;
   list.tree = std::move(read.tree);
-  list.readings = std::move(read.readings);
+  list.line_values = std::move(read.line_values);
   if (text.is_translation()) number_lines(text, list.tree);
-  list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
+  list.lost = lost_assignments(text, list.tree, list.line_values, catalogue);
   return list;
 }
 
-/// A list that is due to be an axis list.
+/// A list where an axis list is expected.
 LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
   SourceText const& text = sources[source];
   ReadList read = read_list(text, catalogue);
-  ListKind const kind = kind_of_list(text, read.tree, read.readings).value_or(ListKind::axis);
+  ListKind const kind = kind_of_list(text, read.tree, read.line_values).value_or(ListKind::axis);
   if (kind != ListKind::axis) read = judge_list(text, {}, catalogue);
   LoadedList list = loaded(text, source, catalogue, std::move(read));
   list.kind = kind;
@@ -140,7 +140,7 @@ std::optional<configuration::FileError> Loader::load_text() {
   } else if (is_start_up) {
     load_start_up_list(source);
   } else if (xml_kind.has_value()) {
-    // It says what changes, so nothing is judged but that.
+    // It holds only changes, so nothing else is judged.
     add_other_list(source, *xml_kind, std::string(file_name(machine_.path)));
   } else if (!sources_[source].is_translation()) {
     load_single(source);
@@ -162,8 +162,8 @@ void Loader::load_single(SourceId source) {
   std::optional<ListKind> kind = options_.kind;
   if (is_axis_list) {
     ReadList read = read_list(text, options_.catalogue);
-    if (!kind) kind = kind_of_list(text, read.tree, read.readings);
-    // Of lines that cannot be read at least the comments tell.
+    if (!kind) kind = kind_of_list(text, read.tree, read.line_values);
+    // If lines cannot be read, their comments may still tell the kind.
     if (!kind && options_.from_folder) kind = configuration::kind_numbered_in(text.list_bytes());
     if (!kind && !options_.from_folder) kind = ListKind::axis;
     if (kind == ListKind::axis) {

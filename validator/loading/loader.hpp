@@ -17,12 +17,12 @@ namespace axisc::validator {
 [[nodiscard]] std::string_view without_extension(std::string_view name);
 [[nodiscard]] std::string beside(std::string const& path, std::string const& name);
 [[nodiscard]] bool is_absolute(std::string_view path);
-/// The same for every way to write one path.
+/// A key that is the same for all spellings of one path.
 [[nodiscard]] std::string key_of(std::string const& path);
 
 class Loader {
  public:
-  /// All arguments outlive the loader.
+  /// All arguments must outlive the loader.
   Loader(configuration::Files& files, CheckOptions const& options, SourceSet& sources, LoadedMachine& machine)
       : files_(files), options_(options), sources_(sources), machine_(machine) {}
 
@@ -64,12 +64,13 @@ class Loader {
   void name_axes(StartUp const& start_up);
   /// Index of the axis list; none where it is missing, cannot be read, or is of another kind.
   std::optional<std::size_t> axis_list_found(StartUp& start_up, configuration::LocatedText const& named);
-  /// The source of a list of the kind `wanted`; none where it is missing, cannot be read, or is of another kind.
+  /// The source of a list of the kind `wanted`; none where it is missing, cannot be read, or is of another
+  /// kind.
   std::optional<SourceId> source_found(StartUp& start_up, configuration::LocatedText const& named,
                                        std::optional<configuration::ListKind> wanted);
   std::optional<SourceId> source_of(StartUp& start_up, configuration::LocatedText const& named,
                                     std::optional<configuration::ListKind> wanted);
-  /// Where a list lies; noted, so that what is missing can be told.
+  /// Searches for a list; recorded, so that missing lists can be reported.
   ListSearch& search(StartUp& start_up, configuration::LocatedText const& named,
                      std::optional<configuration::ListKind> wanted);
   /// The path as seen from the folder of the start-up list.
@@ -88,8 +89,8 @@ class Loader {
   std::size_t add_source(SourceId source, std::string shown);
   std::variant<std::size_t, configuration::FileError> add_program(std::string name, std::string const& path);
   std::variant<std::string, configuration::FileError> read_text(std::string const& path);
-  /// The source of a file's text; of a list in XML, what it says as lines. A mistake of the XML is noted, and then the list
-  /// has no lines.
+  /// The source of a file's text; for a list in XML, its values as lines. A mistake of the XML is noted, and
+  /// then the list has no lines.
   SourceId add_text(std::string const& path, std::string bytes);
 
   configuration::Files& files_;

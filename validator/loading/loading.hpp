@@ -71,7 +71,7 @@ struct LoadedMachine {
   std::deque<NamedList> other_lists;
   bool is_beside_start_up_list =
       false;  ///< the input is a list that a start-up list in its folder does not name
-  std::optional<SourceId> list_of_unknown_kind;  ///< the input, of which nothing says what it is
+  std::optional<SourceId> list_of_unknown_kind;  ///< the input, if its kind is unknown
   std::optional<std::size_t> default_list;
   bool knows_all_axes = true;  ///< no list of an axis is missing
   bool complete = true;        ///< every file that the input names was read and is of its kind
@@ -85,7 +85,7 @@ struct LoadedMachine {
   std::optional<SourceId> machine_file;    ///< none for a single list
   std::optional<StartUp> start_up;         ///< the machine is that of a start-up list or of a project
   bool inch = false;                       ///< lengths in programs are inches
-  design::Readings readings;               ///< of the control: what it makes of its filters
+  design::Readings readings;               ///< how the control computes its filters
   std::optional<BuildVersion> build;       ///< of the control, where the options name it
   std::deque<Finding> findings;            ///< AX4020: code, place and sentences; the engine adds the rest
   std::vector<std::string> files;
@@ -98,15 +98,15 @@ struct LoadedMachine {
 /// The axis with this logical number, kopf.achs_nr.
 [[nodiscard]] std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number);
 
-/// Merges the lists of a machine again if a line without effect was taken for a parameter that it may have meant: rules
-/// are silent about that one, but the control uses it. True if there was such a line.
+/// Merges the lists of a machine again if a line without effect was taken for a parameter that it may have
+/// meant: rules are silent about that parameter, but the control uses it. True if there was such a line.
 bool forget_guesses(LoadedMachine& machine);
 
 /// True if a #FILTER command of an NC program or of `filter_sets` gives the FIR filter of the axis an order.
 [[nodiscard]] bool program_gives_order(LoadedMachine const& machine, std::size_t axis);
 
-/// Reads the input and every file that it names. An error only if the input itself cannot be read. The machine refers
-/// to `sources`, which must outlive it.
+/// Reads the input and every file that it names. An error only if the input itself cannot be read. The
+/// machine refers to `sources`, which must outlive it.
 [[nodiscard]] std::variant<LoadedMachine, configuration::FileError> load(configuration::Files& files,
                                                                          std::string const& path,
                                                                          CheckOptions const& options,

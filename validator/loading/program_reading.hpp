@@ -26,13 +26,13 @@ struct ReadProgram {
 
 enum class ProgramText : std::uint8_t { excerpt, whole };
 
-/// Memory: the excerpt and the longest line. Refuses what `check_text` refuses. With ProgramText::whole
-/// the text is complete, not an excerpt.
+/// Memory: the excerpt and the longest line. Refuses what `check_text` refuses. With ProgramText::whole the
+/// text is complete, not an excerpt.
 [[nodiscard]] std::variant<ReadProgram, configuration::FileError> read_program(
     configuration::Files& files, std::string const& path, ProgramText kept = ProgramText::excerpt);
 
-/// Passes the bytes of a program that was read before to `receive` again. Throws SourceChanged if they have changed
-/// since.
+/// Passes the bytes of a program that was read before to `receive` again. Throws SourceChanged if they have
+/// changed since.
 void read_program_again(configuration::Files& files, std::string const& path, ContentMark const& mark,
                         configuration::PieceReceiver const& receive);
 

@@ -38,8 +38,7 @@ void Loader::load_project(SourceId source) {
   std::vector<SourceId> windows;
   for (ProjectList const& list : project.lists) {
     windows.push_back(sources_.add(SourceText(
-        machine_.path,
-        Window{.file = sources_[source].file(), .span = list.span, .encoding = project.encoding})));
+        machine_.path, Window{.file = sources_[source], .span = list.span, .encoding = project.encoding})));
   }
   auto const lists_of_axes =
       std::count_if(project.lists.begin(), project.lists.end(),
@@ -71,7 +70,7 @@ void Loader::load_project(SourceId source) {
     ProjectList const& named = project.lists[i];
     if (named.kind == ListKind::axis) continue;
     if (named.kind != ListKind::channel) {
-      // What a real project has in these elements is not documented, so the lines decide.
+      // It is not documented which lists real projects have in these elements, so the lines decide.
       auto const said = configuration::decided_kind(sources_[windows[i]]);
       add_other_list(windows[i], said && said != ListKind::axis ? *said : named.kind, named.name.text);
       continue;
@@ -102,7 +101,7 @@ std::optional<std::size_t> Loader::project_axis_list(StartUp& start_up, ProjectL
   return std::nullopt;
 }
 
-/// Where no channel list names axes, each axis says to which channel it belongs.
+/// Where no channel list names axes, each axis names its channel.
 void Loader::group_by_defaults(StartUp const& start_up, std::vector<ProjectList const*> const& axes) {
   bool const are_named =
       std::any_of(start_up.channels.begin(), start_up.channels.end(), [](StartUpChannel const& channel) {

@@ -1,4 +1,5 @@
-// What a controller's start-up list and the lists that it names, or a TwinCAT project, say about the machine.
+// The machine as described by a controller's start-up list and the lists that it names, or by a TwinCAT
+// project.
 #pragma once
 
 #include "configuration/channel_list.hpp"
@@ -18,7 +19,7 @@ enum class Sought : std::uint8_t {
   list,
   program,
   streamed_program,  ///< no file need be there
-  unnamed_list       ///< an entry below a count that no line names: the control opens it nevertheless
+  unnamed_list       ///< an entry below a count that no line names
 };
 
 /// A list that the start-up list names or counts, or a program that a channel names, and where it was found.
@@ -27,8 +28,9 @@ struct ListSearch {
   Sought sought = Sought::list;
   std::optional<configuration::FoundList> found;       ///< none where it is missing or cannot be read
   std::optional<configuration::FileError> error = {};  ///< why it cannot be read although it is there
-  std::optional<configuration::ListKind> wanted = {};  ///< the kind that belongs here; none where any does
-  std::optional<configuration::ListKind> kind = {};    ///< of the file; none where nothing decides
+  /// The kind that belongs here; none where any kind does.
+  std::optional<configuration::ListKind> wanted = {};
+  std::optional<configuration::ListKind> kind = {};  ///< of the file; none where nothing decides
 };
 
 struct StartUpChannel {
@@ -46,14 +48,14 @@ struct StartUpCompensation {
 struct StartUp {
   bool is_project = false;  ///< the lists are those inside a TwinCAT project, and there is no start-up list
   std::vector<SourceId>
-      sources;  ///< the start-up list, and every list that was read beside those of the axes
+      sources;  ///< the start-up list, and every list that was read in addition to those of the axes
   configuration::StartUpList list;
   configuration::RealTimeList real_time;
   std::vector<std::optional<configuration::LocatedText>>
       program_names;                    ///< of each of LoadedMachine::axes: DefaultProgName of a project
   std::vector<std::size_t> entries;     ///< of each of LoadedMachine::axes: index into list.axes
   std::deque<StartUpChannel> channels;  ///< those that the control reads, with a list that was found
-  std::vector<StartUpCompensation> compensations;  ///< the same
+  std::vector<StartUpCompensation> compensations;  ///< likewise
   std::vector<ListSearch> searches;                ///< in the order in which lists were looked for
 };
 

@@ -32,7 +32,7 @@ machine::PositionController scheduled_controller(std::optional<LocatedText> cons
   return machine::PositionController::unknown;
 }
 
-/// What a channel calls the axis with this number; null where none does.
+/// The channel's name for the axis with this number; null where there is none.
 LocatedText const* name_in_channels(StartUp const& start_up, double number) {
   for (StartUpChannel const& channel : start_up.channels) {
     for (auto const* const axes : {&channel.list.axes, &channel.list.spindles}) {
@@ -47,18 +47,19 @@ LocatedText const* name_in_channels(StartUp const& start_up, double number) {
 
 /// Counts entries in the order of their indices.
 struct NamedEntries {
-  std::uint32_t named = 0;  ///< so many from the first on have a file
+  std::uint32_t named = 0;  ///< this many from the first on have a file
 
   void add(ListEntry const& entry) {
     if (entry.index == named && !entry.file.text.empty()) ++named;
   }
-  void note_next(std::string_view array, std::optional<configuration::ListCount> const& count,
+  void note_next(std::string_view array, ListKind kind, std::optional<configuration::ListCount> const& count,
                  StartUp& start_up) const {
     if (!count || named >= count->number) return;
     std::string entry = std::string(array) + "[" + std::to_string(named) + "]";
     start_up.searches.push_back({.named = {.text = std::move(entry), .place = count->place},
                                  .sought = Sought::unnamed_list,
-                                 .found = std::nullopt});
+                                 .found = std::nullopt,
+                                 .wanted = kind});
   }
 };
 
@@ -98,12 +99,15 @@ void Loader::note_unnamed_lists(StartUp& start_up) {
   if (sources_[start_up.sources.front()].is_translation()) return;
   NamedEntries axes;
   for (ListEntry const& entry : start_up.list.axes) axes.add(entry);
-  axes.note_next("achs_mds", start_up.list.axis_count, start_up);
+  axes.note_next("achs_mds", ListKind::axis, start_up.list.axis_count, start_up);
   machine_.knows_all_axes = start_up.searches.empty();
   NamedEntries compensations;
   for (configuration::CompensationEntry const& each : start_up.list.compensations)
     compensations.add(each.list);
-  compensations.note_next("achs_kw", start_up.list.compensation_count, start_up);
+  compensations.note_next("achs_kw", ListKind::compensation, start_up.list.compensation_count, start_up);
+  NamedEntries channels;
+  for (ListEntry const& entry : start_up.list.channels) channels.add(entry);
+  channels.note_next("sda_mds", ListKind::channel, start_up.list.channel_count, start_up);
   machine_.complete = start_up.searches.empty();
 }
 
@@ -115,7 +119,7 @@ void Loader::load_default_axis_list(StartUp& start_up) {
 }
 
 void Loader::load_channels(StartUp& start_up) {
-  // The default list says what channels leave open, and names no axes.
+  // The default list completes the channels, and names no axes.
   if (start_up.list.default_channel) {
     auto const source = source_found(start_up, *start_up.list.default_channel, ListKind::channel);
     if (source) default_channel_ = configuration::read_channel_list(sources_[*source], *source);

@@ -20,8 +20,9 @@ struct CharacteristicFrequency {
   Filtering filtering;
 };
 
-/// The frequencies of the active standard filters, of a configured HSC NoVib or windowed sinc, of the Vibration Guard, which
-/// a program may switch on, and of the active stages of Improved Position Control, if a list or a meaningful default sets one.
+/// The frequencies of the active standard filters, of a configured HSC NoVib or windowed sinc, of the
+/// Vibration Guard, which a program may switch on, and of the active stages of Improved Position Control, if
+/// a list or a meaningful default sets one.
 [[nodiscard]] std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext const& axis);
 
 }  // namespace axisc::validator::checks

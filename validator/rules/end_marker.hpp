@@ -5,7 +5,7 @@
 
 namespace axisc::validator {
 
-/// Describes the problem as a misspelt end marker; false if nothing speaks for that: nothing may follow it.
+/// Describes the problem as a misspelt end marker; false if it is unlikely to be one: nothing may follow it.
 bool describe_end_marker(Finding& finding, ListContext const& context, grammar::Problem const& problem);
 
 }  // namespace axisc::validator

@@ -40,8 +40,8 @@ void relate_set_type(Finding& finding, EffectiveValue const& type);
 /// Points to the type if a list sets it; else notes which type applies by default.
 void relate_type(Finding& finding, FilterView const& filter);
 
-/// Message numbers of the control for a time constant that it rejects: on a path axis, on a spindle, in the position
-/// controller.
+/// Message numbers of the control for a time constant that it rejects: on a path axis, on a spindle, in the
+/// position controller.
 inline constexpr std::string_view path_refuses_time = "50663";
 inline constexpr std::string_view spindle_refuses_time = "60311";
 inline constexpr std::string_view position_controller_refuses_time = "70451";

@@ -21,7 +21,8 @@ struct DelayedAxis {
 
 using Delays = std::vector<DelayedAxis>;
 
-/// The axes whose delay is known; none for a channel of one axis. Gantry slaves are compared with their masters (AX4021).
+/// The axes whose delay is known; none for a channel of one axis. Gantry slaves are compared with their
+/// masters (AX4021).
 [[nodiscard]] Delays delays_of(GroupContext const& context);
 
 [[nodiscard]] bool less_delayed(DelayedAxis const& left, DelayedAxis const& right);
@@ -40,11 +41,11 @@ using Delays = std::vector<DelayedAxis>;
 /// "`filter[1]` 3.907, `filter_fir` 20".
 [[nodiscard]] Wording shares_text(AxisDelay const& delay);
 
-/// The filter of `axis` whose share differs most from that of the same filter in `other`, and that a list sets, in doubt the
-/// later one; null where `axis` has none.
+/// The filter of `axis` whose share differs most from that of the same filter in `other`, and that a list
+/// sets, in doubt the later one; null where `axis` has none.
 [[nodiscard]] DelayShare const* largest_difference(AxisDelay const& axis, AxisDelay const& other);
 
-/// Points to what delays the axes other than `reported`.
+/// Points to the filters that delay the axes other than `reported`.
 void relate_others(Finding& finding, Delays const& delays, std::size_t reported);
 
 }  // namespace axisc::validator::checks

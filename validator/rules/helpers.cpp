@@ -11,10 +11,11 @@ void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot
 }
 
 void name_parameter(Finding& finding, Line const& line) {
-  Reading const reading = line.context.list.readings[line.number];
-  if (reading.known()) return name_parameter(finding, *reading.row, reading.slot);
+  LineValue const line_value = line.context.list.line_values[line.number];
+  if (line_value.known()) return name_parameter(finding, *line_value.row, line_value.slot);
   finding.parameter = line.name();
-  if (reading.row_known()) finding.p_axis = schema::number_text(reading.row->kind, reading.row->p_axis);
+  if (line_value.row_known())
+    finding.p_axis = schema::number_text(line_value.row->kind, line_value.row->p_axis);
 }
 
 void set_reaction(Finding& finding, SentenceRef text, std::vector<Argument> arguments, std::string value) {

@@ -1,4 +1,4 @@
-// What the checks of AX1 and AX2 share.
+// Helpers for the checks of AX1 and AX2.
 #pragma once
 
 #include "validator/engine/rule.hpp"
@@ -37,8 +37,8 @@ struct Line {
   [[nodiscard]] grammar::Assignment const& assignment() const {
     return context.list.tree.assignments[number];
   }
-  /// The full reading of a doubtful line; context.list.readings has those of all lines.
-  [[nodiscard]] Reading const& reading() const { return context.list.readings.closer(number); }
+  /// The complete line value of a doubtful line; context.list.line_values has those of all lines.
+  [[nodiscard]] LineValue const& line_value() const { return context.list.line_values.closer(number); }
   [[nodiscard]] Place place(Span span) const { return place_of(context, span); }
   /// The name as written in the list.
   [[nodiscard]] std::string name() const { return context.source.utf8(assignment().name); }
@@ -49,7 +49,8 @@ struct Line {
 void name_parameter(Finding& finding, Line const& line);
 void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot slot);
 
-/// A finding at `span` of a line, about its parameter if that is known; `describe(finding, line)` makes its text.
+/// A finding at `span` of a line, about its parameter if that is known; `describe(finding, line)` makes its
+/// text.
 template <auto describe>
 Reported& report_line(Report& report, Line const& line, Span span) {
   return report.later(line.place(span), [line](Finding& finding) {
@@ -75,7 +76,7 @@ void add_physical(Finding& finding, schema::Parameter const& row, machine::AxisT
 /// Calls `visit(line)` for the assignments that may be wrong on their own.
 template <typename Visit>
 void for_each_doubtful(ListContext const& context, Visit visit) {
-  for (std::uint32_t const number : context.list.readings.doubtful()) visit(Line{context, number});
+  for (std::uint32_t const number : context.list.line_values.doubtful()) visit(Line{context, number});
 }
 
 /// One assignment of a list as an axis sees it, for checks that depend on the axis type.
@@ -88,8 +89,8 @@ struct AxisLine {
     return in_default_list ? *context.default_list : context.axis_list;
   }
   [[nodiscard]] grammar::Assignment const& assignment() const { return list().tree.assignments[number]; }
-  /// The full reading of a doubtful line.
-  [[nodiscard]] Reading const& reading() const { return list().readings.closer(number); }
+  /// The complete line value of a doubtful line.
+  [[nodiscard]] LineValue const& line_value() const { return list().line_values.closer(number); }
   [[nodiscard]] Place place() const { return {.source = list().source, .span = assignment().value}; }
 };
 
@@ -99,14 +100,14 @@ void for_each_doubtful(AxisContext const& context, Visit visit) {
   for (bool const in_default_list : {true, false}) {
     if (in_default_list && context.default_list == nullptr) continue;
     AxisLine line{context, 0, in_default_list};
-    for (std::uint32_t const number : line.list().readings.doubtful()) {
+    for (std::uint32_t const number : line.list().line_values.doubtful()) {
       line.number = number;
       visit(line);
     }
   }
 }
 
-/// "LOWPASS (1), HIGHPASS (2)": its words, or, where it has none, what its numbers mean.
+/// "LOWPASS (1), HIGHPASS (2)": its words, or, where it has none, the meanings of its numbers.
 [[nodiscard]] Wording allowed_values(schema::Parameter const& parameter);
 
 /// "1 ≤ guete ≤ 10", with one limit "fcut ≥ 1 Hz": the name is the last part of the parameter's.

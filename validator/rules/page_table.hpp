@@ -1,4 +1,5 @@
-// The embedded pages of the rules; the table itself is written by cmake/EmbedPages.cmake when the program is built.
+// The embedded pages of the rules; the table itself is written by cmake/EmbedPages.cmake when the program is
+// built.
 #pragma once
 
 #include "diagnostics/page.hpp"

@@ -1,4 +1,4 @@
-// What the rules about Improved Position Control share.
+// Helpers for the rules about Improved Position Control.
 #pragma once
 
 #include "validator/engine/rule.hpp"
@@ -22,8 +22,8 @@ using SetValues = std::vector<EffectiveValue const*>;
 /// The value whose line comes last; null if there are none.
 [[nodiscard]] EffectiveValue const* last_of(SetValues const& values);
 
-/// Calls `visit(stage, damping)` for the damping of each vibration that a stage simulates, in INDIRECT and SET_POINT; a
-/// stage that lacks it has AX3030.
+/// Calls `visit(stage, damping)` for the damping of each vibration that a stage simulates, in INDIRECT and
+/// SET_POINT; a stage that lacks it has AX3030.
 template <typename Visit>
 void for_each_damping(AxisContext const& axis, Visit visit) {
   for (StageView const& stage : axis.position_control.active_stages()) {

@@ -1,4 +1,4 @@
-// What the checks of AX5 share.
+// Helpers for the checks of AX5.
 #pragma once
 
 #include "validator/engine/rule.hpp"
@@ -23,8 +23,8 @@ template <typename Wanted>
   return spans;
 }
 
-/// One finding at the last of `spans`; the others are related places, limited to the last ones. `spans` is not empty
-/// and in the order of the text.
+/// One finding at the last of `spans`; the others are related places, limited to the last ones. `spans` is
+/// not empty and in the order of the text.
 Finding& report_at_last(ProgramContext const& context, Report& report, std::vector<Span> const& spans,
                         Message message);
 

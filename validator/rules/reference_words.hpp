@@ -21,8 +21,8 @@ void for_each_problem(AxisContext const& context, ReferenceTrouble trouble, Visi
 /// The parameter in `slot`, with its index.
 [[nodiscard]] std::string name_of(AxisContext const& context, schema::Slot slot);
 
-/// The control continues with the value of the default list, or with the documented default; the value is omitted if
-/// it is unknown.
+/// The control continues with the value of the default list, or with the documented default; the value is
+/// omitted if it is unknown.
 void keep_earlier(AxisContext const& context, Finding& finding, EffectiveValue const& value);
 
 /// Names the parameter that the reference leads to, and points to its value if a list sets it.

@@ -1,4 +1,4 @@
-// Findings about what the grammar could not read.
+// Findings about text that the grammar could not read.
 #pragma once
 
 #include "validator/engine/rule.hpp"
@@ -13,7 +13,7 @@ void report_problem(ListContext const& context, grammar::Problem const& problem,
                [&context, &problem](Finding& finding) { describe(finding, context, problem); });
 }
 
-/// The same for each problem of a kind.
+/// A finding for each problem of a kind.
 template <auto describe>
 void report_problems(ListContext const& context, grammar::ProblemKind kind, Report& report) {
   for (grammar::Problem const& problem : context.list.tree.problems) {

@@ -24,7 +24,7 @@ bool on_at_start(AxisDelay const& delay) {
   return delay.kernel && delay.kernel->on_at_start;
 }
 
-/// Of the filters that work from start-up.
+/// The delay of the filters that work from start-up.
 double delay_at_start(DelayedAxis const& axis) {
   double cycles = axis.delay.cycles;
   bool const off = axis.delay.kernel && !axis.delay.kernel->on_at_start;
@@ -32,7 +32,7 @@ double delay_at_start(DelayedAxis const& axis) {
   return cycles;
 }
 
-/// The largest that start-up or `#FILTER` may bring about.
+/// The largest difference that start-up or `#FILTER` may bring about.
 double difference(AxisPair pair) {
   double const configured = std::abs(pair.master.delay.cycles - pair.slave.delay.cycles);
   return std::max(configured, std::abs(delay_at_start(pair.master) - delay_at_start(pair.slave)));

@@ -1,4 +1,5 @@
-// Whether the filters of two axes that must move alike do the same: master and slave of a gantry, coupled axes.
+// Whether the filters of two axes that must move alike do the same: master and slave of a gantry, coupled
+// axes.
 #pragma once
 
 #include "validator/rules/group_delays.hpp"
@@ -29,8 +30,8 @@ struct FilterDifference {
 /// None where the filters do the same, whatever their order. The pair outlives the result.
 [[nodiscard]] std::optional<FilterDifference> compare_filters(AxisPair pair);
 
-/// A finding at the filter that makes the difference, with the delays of both axes. The headline may name {master},
-/// {slave}, {cycles} and {milliseconds}.
+/// A finding at the filter that makes the difference, with the delays of both axes. The headline may name
+/// {master}, {slave}, {cycles} and {milliseconds}.
 Finding& report_difference(FilterDifference const& difference, SentenceRef headline,
                            MachineContext const& context, Report& report);
 

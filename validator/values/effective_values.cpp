@@ -61,18 +61,18 @@ std::string parameter_number(EffectiveValue const& value) {
 
 EffectiveValue value_of_line(LoadedList const& list, std::size_t assignment) {
   grammar::Assignment const& line = list.tree.assignments[assignment];
-  Reading const reading = list.readings[assignment];
+  LineValue const line_value = list.line_values[assignment];
   EffectiveValue value;
-  value.row = reading.row;
-  value.value = reading.value;
+  value.row = line_value.row;
+  value.value = line_value.value;
   value.name_span = line.name;
   value.value_span = line.value;
   value.source = list.source;
   value.line = line.line;
-  value.slot = reading.slot;
+  value.slot = line_value.slot;
   value.origin = list.is_default_list ? Origin::default_list : Origin::axis_list;
   value.has_value = true;
-  value.unusable = !reading.usable();
+  value.unusable = !line_value.usable();
   return value;
 }
 
@@ -100,7 +100,7 @@ EffectiveValue& EffectiveValues::add(EffectiveValue value) const {
 EffectiveValue const& EffectiveValues::look_up(schema::Slot slot) const {
   for (LoadedList const* const list : lists_) {
     if (list == nullptr) continue;
-    std::uint32_t const last = list->readings.last_of(slot);
+    std::uint32_t const last = list->line_values.last_of(slot);
     if (last != 0) return add(value_of_line(*list, last - 1));
   }
   return add(make_default(catalogue_, slot));
@@ -110,8 +110,8 @@ std::vector<EffectiveValue const*> EffectiveValues::set_values() const {
   std::vector<EffectiveValue const*> values;
   for (LoadedList const* const list : {lists_[1], lists_[0]}) {
     if (list == nullptr) continue;
-    for (std::size_t i = 0; i < list->readings.size(); ++i) {
-      auto const slot = list->readings.slot(i);
+    for (std::size_t i = 0; i < list->line_values.size(); ++i) {
+      auto const slot = list->line_values.slot(i);
       if (!slot) continue;
       EffectiveValue const& value = (*this)[*slot];
       bool const counts = value.source == list->source && value.line == list->tree.assignments[i].line;

@@ -1,5 +1,5 @@
-// Internal defaults, then the default list, then the axis' own list: what the control uses, and where it
-// comes from.
+// Internal defaults, then the default list, then the axis' own list: the values that the control uses, and
+// where they come from.
 #pragma once
 
 #include "configuration/machine/machine.hpp"
@@ -51,17 +51,17 @@ struct EffectiveValue {
   }
 };
 
-/// True where a list gives the parameter a value that differs from its documented default. A value equal to the default
-/// means "not configured".
+/// True where a list gives the parameter a value that differs from its documented default. A value equal to
+/// the default means "not configured".
 [[nodiscard]] bool configured(EffectiveValue const& value);
 
-/// All parameters of one axis that a list sets, and the documented defaults of the others. Values are created on first
-/// access and never move: one EffectiveValues serves one thread at a time.
+/// All parameters of one axis that a list sets, and the documented defaults of the others. Values are created
+/// on first access and never move: one EffectiveValues serves one thread at a time.
 class EffectiveValues {
  public:
   explicit EffectiveValues(schema::Catalogue catalogue = {});
-  /// Values from the lines of the lists; the first list may be null, and both must outlive this object. Lines without a
-  /// value of their own are left to the caller, through edit().
+  /// Values from the lines of the lists; the first list may be null, and both must outlive this object. Lines
+  /// without a value of their own are left to the caller, through edit().
   EffectiveValues(LoadedList const* default_list, LoadedList const& axis_list);
   /// Moving keeps the addresses of the values.
   EffectiveValues(EffectiveValues&&) noexcept = default;
@@ -83,7 +83,7 @@ class EffectiveValues {
     return catalogue_.parameter_of(slot);
   }
   [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
-  /// What the control that uses the values makes of its filters.
+  /// How the control that uses the values computes its filters.
   [[nodiscard]] design::Readings const& readings() const { return readings_; }
   void read_as(design::Readings const& readings) { readings_ = readings; }
   /// A list sets the parameter, perhaps in a line that cannot be used.
@@ -91,17 +91,18 @@ class EffectiveValues {
     std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
     if (entry != 0) return value_at(entry - 1).set();
     auto const sets = [slot](LoadedList const* list) {
-      return list != nullptr && list->readings.last_of(slot) != 0;
+      return list != nullptr && list->line_values.last_of(slot) != 0;
     };
     return sets(lists_[0]) || sets(lists_[1]);
   }
-  /// The values that lists set, in the order of the lines that apply, default list first. Cost: all of them are created
-  /// and sorted.
+  /// The values that lists set, in the order of the lines that apply, default list first. Cost: all of them
+  /// are created and sorted.
   [[nodiscard]] std::vector<EffectiveValue const*> set_values() const;
   /// The values that came through a reference.
   [[nodiscard]] std::vector<schema::Slot> const& referenced_slots() const { return referenced_slots_; }
 
-  /// The entry of a slot for writing. At the first time it is a copy of the internal default, whatever lists say.
+  /// The entry of a slot for writing. On first access it is a copy of the internal default, whatever lists
+  /// set.
   EffectiveValue& edit(schema::Slot slot);
   /// Sets the value of a reference that was looked up: that of `target`, or of its default.
   void refer(schema::Slot slot, schema::Slot target, schema::Value value);
@@ -129,15 +130,16 @@ class EffectiveValues {
 /// The value that a line of a list gives its parameter, which must be known.
 [[nodiscard]] EffectiveValue value_of_line(LoadedList const& list, std::size_t assignment);
 
-/// Whether the line that applies to `a` comes before that for `b`: by list, the default list first, then by line.
+/// Whether the line that applies to `a` comes before that for `b`: by list, the default list first, then by
+/// line.
 [[nodiscard]] bool stands_before(EffectiveValue const& a, EffectiveValue const& b);
 
 /// `filter[2].order`, and "P-AXIS-00140" or empty.
 [[nodiscard]] std::string parameter_name(EffectiveValue const& value);
 [[nodiscard]] std::string parameter_number(EffectiveValue const& value);
 
-/// Row of a pattern of the built-in catalogue, `filter[].order`. Schema files move no slot of the families that are
-/// compiled.
+/// Row of a pattern of the built-in catalogue, `filter[].order`. Schema files move no slot of the families
+/// that are compiled.
 [[nodiscard]] schema::Parameter const& row_at(std::string_view pattern);
 
 }  // namespace axisc::validator

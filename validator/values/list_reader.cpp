@@ -5,8 +5,8 @@
 #include "grammar/lexical.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/plain_lines.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/plain_value.hpp"
-#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,16 +22,16 @@
 namespace axisc::validator {
 namespace {
 
-/// See Readings::doubtful(). A character has a byte at least.
-bool is_doubtful(grammar::Assignment const& assignment, Reading const& reading) {
-  if (!reading.usable() || reading.name_folded || reading.symbol_folded || !reading.trouble.empty() ||
-      assignment.trailer_kind == grammar::TrailerKind::text) {
+/// See LineValues::doubtful(). A character has a byte at least.
+bool is_doubtful(grammar::Assignment const& assignment, LineValue const& line_value) {
+  if (!line_value.usable() || line_value.name_folded || line_value.symbol_folded ||
+      !line_value.trouble.empty() || assignment.trailer_kind == grammar::TrailerKind::text) {
     return true;
   }
-  if (reading.status == ReadingStatus::reference) return false;
-  std::size_t const most = reading.row->max_length;
-  return schema::is_outside(*reading.row, reading.value.number) ||
-         (most != 0 && reading.value.text.size() > most);
+  if (line_value.status == ReadingStatus::reference) return false;
+  std::size_t const most = line_value.row->max_length;
+  return schema::is_outside(*line_value.row, line_value.value.number) ||
+         (most != 0 && line_value.value.text.size() > most);
 }
 
 bool may_name_numbers(std::string_view text) {
@@ -71,8 +71,8 @@ class ListReader {
  private:
   ReadList finish(grammar::AxisList tree) {
     result_.has_repetitions_ = repetitions_ != 0;
-    ReadList read{.tree = std::move(tree), .readings = std::move(result_)};
-    read.readings.assignments_ = read.tree.assignments;
+    ReadList read{.tree = std::move(tree), .line_values = std::move(result_)};
+    read.line_values.assignments_ = read.tree.assignments;
     return read;
   }
 
@@ -93,7 +93,7 @@ class ListReader {
     splitter.go_on_at(bytes_.data() + begin, number);
   }
 
-  /// Gives the number of lines that were read: all, or up to the end of the list.
+  /// Returns the number of lines that were read: all, or up to the end of the list.
   std::size_t read_lines(grammar::PlainLines const& lines) {
     std::size_t next = 0;
     while (next < lines.count) {
@@ -135,8 +135,8 @@ class ListReader {
     return true;
   }
 
-  /// A line that is not plain. If its name is known and its value looks simple, the result of the grammar is known
-  /// without parsing.
+  /// A line that is not plain. If its name is known and its value looks simple, the result of the grammar is
+  /// known without parsing.
   void read_closer(grammar::PlainLines const& lines, std::size_t i) {
     grammar::Assignment& assignment = batch_[i];
     auto const kind = grammar::lexical::simple_kind(source_.slice(assignment.value));
@@ -171,32 +171,33 @@ class ListReader {
     auto const number = static_cast<std::uint32_t>(result_.brief_.size());
     // Reserve at once: if one line is wrong, many may be.
     if (result_.others_.empty()) result_.others_.reserve(result_.brief_.capacity());
-    Reading& reading = result_.others_.emplace_back();
-    reading.text = assignment.value;
+    LineValue& line_value = result_.others_.emplace_back();
+    line_value.text = assignment.value;
     if (parameter.values != nullptr) {
-      reading.row = &catalogue_.parameter_of(parameter.slot);
-      reading.slot = parameter.slot;
-      reading.name_status = schema::NameLookup::Status::found;
+      line_value.row = &catalogue_.parameter_of(parameter.slot);
+      line_value.slot = parameter.slot;
+      line_value.name_status = schema::NameLookup::Status::found;
     } else {
-      look_up(assignment, reading);
+      look_up(assignment, line_value);
     }
-    validator::judge(source_, assignment, reading, result_.transcoded_);
-    result_.brief_.push_back({.number = reading.value.number,
+    validator::judge(source_, assignment, line_value, result_.transcoded_);
+    result_.brief_.push_back({.number = line_value.value.number,
                               .other = static_cast<std::uint32_t>(result_.others_.size()),
-                              .slot = brief(reading.slot),
+                              .slot = brief(line_value.slot),
                               .text = BriefReading::no_text});
-    if (!reading.row_known()) suggest(number, assignment);
-    if (reading.known()) note_slot(reading.slot, number + 1);
-    if (reading.known() && reading.status != ReadingStatus::value) result_.without_value_.push_back(number);
-    if (is_doubtful(assignment, reading)) result_.doubtful_.push_back(number);
+    if (!line_value.row_known()) suggest(number, assignment);
+    if (line_value.known()) note_slot(line_value.slot, number + 1);
+    if (line_value.known() && line_value.status != ReadingStatus::value)
+      result_.without_value_.push_back(number);
+    if (is_doubtful(assignment, line_value)) result_.doubtful_.push_back(number);
   }
 
-  void look_up(grammar::Assignment const& assignment, Reading& reading) {
+  void look_up(grammar::Assignment const& assignment, LineValue& line_value) {
     schema::NameLookup const lookup = catalogue_.find(source_.slice(assignment.name));
-    reading.row = lookup.row;
-    reading.slot = lookup.slot;
-    reading.name_status = lookup.status;
-    reading.name_folded = lookup.case_folded;
+    line_value.row = lookup.row;
+    line_value.slot = lookup.slot;
+    line_value.name_status = lookup.status;
+    line_value.name_folded = lookup.case_folded;
   }
 
   /// Notes the slot of an assignment, counted from 1.
@@ -221,7 +222,7 @@ class ListReader {
   schema::Catalogue const& catalogue_;
   bool is_axis_list_ = catalogue_.kind() == schema::ListKind::axis;
   grammar::AxisListReader lines_;
-  Readings result_;
+  LineValues result_;
   // Buffers for the lines of one batch.
   std::array<grammar::Assignment, schema::names_at_once> batch_;
   std::array<std::string_view, schema::names_at_once> names_;

@@ -8,15 +8,15 @@
 
 namespace axisc::validator {
 
-/// A list that was read: its source, its tree, its role, and what each assignment means. Where an axis list is due, a list
-/// of another kind has an empty tree: its lines mean nothing to an axis.
+/// A list that was read: its source, its tree, its role, and the meaning of each assignment. A list of
+/// another kind where an axis list is expected has an empty tree: its lines mean nothing to an axis.
 struct LoadedList {
   SourceId source{};
   configuration::ListKind kind = configuration::ListKind::axis;
   schema::Catalogue catalogue;
   grammar::AxisList tree;
   bool is_default_list = false;
-  Readings readings;  ///< one per assignment of the tree
+  LineValues line_values;  ///< one per assignment of the tree
   std::vector<LostAssignment> lost;
 };
 

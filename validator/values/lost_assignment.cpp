@@ -20,8 +20,8 @@ bool is_name_character(char c) {
   return c == '.' || grammar::is(grammar::character::letter | grammar::character::digit, c);
 }
 
-/// Sets `name` to the name on the line, with every index completed: `filter[0.order` and `filter[ 0 ].order` are
-/// filter[0].order; an index without number is 0.
+/// Sets `name` to the name on the line, with every index completed: `filter[0.order` and `filter[ 0 ].order`
+/// are filter[0].order; an index without number is 0.
 void read_with_whole_indices(std::string_view line, std::string& name) {
   name.clear();
   while (true) {
@@ -67,7 +67,8 @@ std::optional<schema::Slot> slot_of_name(schema::Catalogue const& catalogue, std
 }  // namespace
 
 std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::AxisList const& list,
-                                             Readings const& readings, schema::Catalogue const& catalogue) {
+                                             LineValues const& line_values,
+                                             schema::Catalogue const& catalogue) {
   using grammar::ProblemKind;
   std::vector<LostAssignment> lost;
   std::string name;
@@ -84,18 +85,18 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
       lost.push_back({.slot = *slot, .name = line, .line = problem.line, .guessed = false});
     }
   }
-  for (std::uint32_t const i : readings.doubtful()) {
-    Reading const& reading = readings.closer(i);
+  for (std::uint32_t const i : line_values.doubtful()) {
+    LineValue const& line_value = line_values.closer(i);
     grammar::Assignment const& assignment = list.assignments[i];
     std::optional<schema::Slot> slot;
-    if (!reading.row_known()) {
+    if (!line_value.row_known()) {
       // `filter [0].order 2`
       std::string const joined =
           std::string(source.slice(assignment.name)) + std::string(source.slice(assignment.value));
       if (source.slice(assignment.value).starts_with('[')) slot = slot_of_name(catalogue, joined);
-      auto const& suggested = readings.suggestions(i);
+      auto const& suggested = line_values.suggestions(i);
       if (suggested.is_close) slot = slot_of_name(catalogue, suggested.names.front());
-    } else if (!reading.known()) {
+    } else if (!line_value.known()) {
       slot = slot_of_name(catalogue, source.slice(assignment.name));
     }
     if (slot) {

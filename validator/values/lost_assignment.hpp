@@ -1,7 +1,7 @@
 // Lines that were meant for a parameter and do not set it.
 #pragma once
 
-#include "validator/values/readings.hpp"
+#include "validator/values/line_values.hpp"
 
 #include <cstdint>
 #include <string_view>
@@ -9,8 +9,8 @@
 
 namespace axisc::validator {
 
-/// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. What the
-/// parameter is meant to be is unknown then, so rules that need it have to stay silent.
+/// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. The intended
+/// value is unknown then, so rules that need it have to stay silent.
 struct LostAssignment {
   schema::Slot slot{};
   Span name;
@@ -20,13 +20,13 @@ struct LostAssignment {
 };
 [[nodiscard]] std::vector<LostAssignment> lost_assignments(SourceText const& source,
                                                            grammar::AxisList const& list,
-                                                           Readings const& readings,
+                                                           LineValues const& line_values,
                                                            schema::Catalogue const& catalogue = {});
 
 /// The families that become part of an image: `filter`, `filter_fir`, `vib_guard`, `lr_param.add_interface`,
-/// `lr_param.improved_position_control`. `name` may be misspelt behind its family.
+/// `lr_param.improved_position_control`. `name` may be misspelt after its family.
 [[nodiscard]] bool is_compiled_family(std::string_view name);
-/// The same, with a slip of the pen in the family, or its two words swapped.
+/// Also with a slip of the pen in the family, or its two words swapped.
 [[nodiscard]] bool is_close_to_compiled_family(std::string_view name);
 
 }  // namespace axisc::validator

@@ -13,8 +13,8 @@
 namespace axisc::validator {
 namespace {
 
-/// For most parameters the last line of the last list applies. If a line cannot be used, or has no value of its own,
-/// the lines before it matter: then all lines of its parameter are processed in order.
+/// For most parameters the last line of the last list applies. If a line cannot be used, or has no value of
+/// its own, the lines before it matter: then all lines of its parameter are processed in order.
 class Merger {
  public:
   Merger(LoadedList const* default_list, LoadedList const& axis_list)
@@ -34,8 +34,8 @@ class Merger {
 
  private:
   void find_difficult(LoadedList const& list) {
-    for (std::uint32_t const assignment : list.readings.without_value()) {
-      if (auto const slot = list.readings.slot(assignment)) note_difficult(*slot);
+    for (std::uint32_t const assignment : list.line_values.without_value()) {
+      if (auto const slot = list.line_values.slot(assignment)) note_difficult(*slot);
     }
     for (LostAssignment const& lost : list.lost) note_difficult(lost.slot);
   }
@@ -46,8 +46,8 @@ class Merger {
   }
 
   void go_through(LoadedList const& list) {
-    for (std::size_t i = 0; i < list.readings.size(); ++i) {
-      std::optional<schema::Slot> const slot = list.readings.slot(i);
+    for (std::size_t i = 0; i < list.line_values.size(); ++i) {
+      std::optional<schema::Slot> const slot = list.line_values.slot(i);
       if (slot && difficult_[static_cast<std::size_t>(*slot)]) assign(list, i);
     }
     for (LostAssignment const& lost : list.lost) lose(list, lost);
@@ -55,11 +55,11 @@ class Merger {
 
   void assign(LoadedList const& list, std::size_t assignment) {
     EffectiveValue value = value_of_line(list, assignment);
-    Reading const reading = list.readings[assignment];
+    LineValue const line_value = list.line_values[assignment];
     pending_.erase(value.slot);
-    if (reading.status == ReadingStatus::reference) pending_[value.slot] = reading.reference;
+    if (line_value.status == ReadingStatus::reference) pending_[value.slot] = line_value.reference;
     EffectiveValue& entry = values_.edit(value.slot);
-    if (reading.status != ReadingStatus::value) value.value = entry.value;
+    if (line_value.status != ReadingStatus::value) value.value = entry.value;
     entry = value;
   }
 

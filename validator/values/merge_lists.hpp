@@ -15,12 +15,13 @@ struct MergedValues {
   std::vector<ReferenceProblem> reference_problems;
 };
 
-/// What the lists say: P-AXIS-00018.
+/// The axis type in the lists: P-AXIS-00018.
 [[nodiscard]] machine::AxisType axis_type_of(EffectiveValues const& values);
 
-/// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units that
-/// AX2014 compares; where it is not given, the lists' own axis type does. The catalogue is that of the lists. The values look
-/// into the lists and their sources, which live longer. Cost: linear in the assignments.
+/// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units
+/// that AX2014 compares; where it is not given, the lists' own axis type does. The catalogue is that of the
+/// lists. The values look into the lists and their sources, which must outlive them. Cost: linear in the
+/// assignments.
 [[nodiscard]] MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
                                        std::optional<bool> rotary);
 

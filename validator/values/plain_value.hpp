@@ -1,6 +1,6 @@
-// Values that are beyond doubt, read without the grammar: the token of a line that was cut at its blanks is compared
-// with what its parameter plainly takes (schema/plain_values.hpp). What is read here, the grammar and the closer look
-// (validator/values/reading.hpp) read the same.
+// Values that are beyond doubt, read without the grammar: the token of a line that was cut at its blanks is
+// compared with the plain values of its parameter (schema/plain_values.hpp). The grammar and the closer look
+// (validator/values/line_value.hpp) read these values the same.
 #pragma once
 
 #include "diagnostics/ascii.hpp"
@@ -9,7 +9,7 @@
 #include "grammar/lexical.hpp"
 #include "schema/plain_values.hpp"
 #include "schema/words.hpp"
-#include "validator/values/readings.hpp"
+#include "validator/values/line_values.hpp"
 #include "validator/values/short_number.hpp"
 
 #include <cstddef>

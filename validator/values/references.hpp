@@ -8,7 +8,7 @@
 
 namespace axisc::validator {
 
-/// What is wrong with a reference (AX2010..AX2014; a value that does not fit the data type is AX2004).
+/// The problem of a reference (AX2010..AX2014; a value that does not fit the data type is AX2004).
 enum class ReferenceTrouble : std::uint8_t {
   unresolvable,
   circular,
@@ -21,7 +21,7 @@ enum class ReferenceTrouble : std::uint8_t {
 struct ReferenceProblem {
   ReferenceTrouble trouble{};
   schema::Slot slot{};       ///< the parameter whose value is the reference
-  std::uint32_t p_axis = 0;  ///< what it names
+  std::uint32_t p_axis = 0;  ///< the number in it
   std::uint32_t index = 0;
   std::optional<schema::Slot> target;  ///< the parameter it means, where there is one
   double number = 0;                   ///< out_of_data_range: the value there
@@ -31,7 +31,7 @@ struct ReferenceProblem {
 /// Parameters whose value is a reference that still has to be looked up.
 using PendingReferences = std::unordered_map<schema::Slot, Reference>;
 
-/// Gives every pending parameter the value of its target, or makes it unusable and says why. A parameter
+/// Gives every pending parameter the value of its target, or makes it unusable and reports why. A parameter
 /// whose target is itself unusable becomes so silently. Cost: linear; chains of any length are followed
 /// without recursion.
 [[nodiscard]] std::vector<ReferenceProblem> resolve_references(EffectiveValues& values,

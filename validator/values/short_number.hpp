@@ -1,8 +1,8 @@
 // Decimal numbers of a few digits, as nearly all numbers of a list are, eight digits at a time.
 //
-// How many digits a number has differs from line to line, so the end of a loop over them is mispredicted. What is read
-// here reads the same in schema/value.hpp, which reads everything else too. The texts may be any tokens; the
-// caller must reject leading zeros, which no number may have.
+// The number of digits differs from line to line, so the end of a loop over them is mispredicted. Numbers
+// that are read here read the same in schema/value.hpp, which reads everything else too. The texts may be any
+// tokens; the caller must reject leading zeros, which no number may have.
 #pragma once
 
 #include <array>
@@ -27,8 +27,8 @@ constexpr std::uint64_t eight_times(unsigned char byte) {
   return 0x0101010101010101U * byte;
 }
 
-/// The number that the last `count` bytes (1 to 8) before `end` form as digits; `wrong` becomes non-zero if one is not
-/// a digit.
+/// The number that the last `count` bytes (1 to 8) before `end` form as digits; `wrong` becomes non-zero if
+/// one is not a digit.
 inline std::uint64_t digits_before(char const* end, std::size_t count, std::uint64_t& wrong) {
   std::size_t const others = 64 - 8 * count;
   std::uint64_t const values = ((eight_bytes_before(end) ^ eight_times('0')) >> others) << others;
@@ -80,10 +80,10 @@ inline bool read_short_integer(char const* begin, char const* end, double& numbe
   return wrong == 0;
 }
 
-/// The real in [begin, end): a sign or none, one to eight digits, a point, one to seven digits, an exponent like `e+03`
-/// or `e+003`, or none. False for every other text. The digits and the power of ten are exact as doubles, so one
-/// multiplication or division rounds as it should (W. D. Clinger, "How to read floating point numbers accurately",
-/// 1990).
+/// The real in [begin, end): a sign or none, one to eight digits, a point, one to seven digits, an exponent
+/// like `e+03` or `e+003`, or none. False for every other text. The digits and the power of ten are exact as
+/// doubles, so one multiplication or division rounds as it should (W. D. Clinger, "How to read floating point
+/// numbers accurately", 1990).
 inline bool read_short_real(char const* begin, char const* end, double& number) {
   bool const is_negative = *begin == '-';
   char const* const first = begin + (digits::is_sign(*begin) ? 1 : 0);

@@ -10,7 +10,7 @@
 
 namespace axisc::validator {
 
-/// What one filter of the axis contributes.
+/// The contribution of one filter of the axis.
 struct DelayShare {
   std::string filter;  ///< `filter[0]` or `filter_fir`
   double cycles = 0;

@@ -1,4 +1,5 @@
-// The filters of one axis as its lists configure them, each evaluated once, for the rules and for building the machine.
+// The filters of one axis as its lists configure them, each evaluated once, for the rules and for building
+// the machine.
 #pragma once
 
 #include "validator/views/filter_designs.hpp"

@@ -13,8 +13,8 @@ namespace axisc::validator {
 /// As messages call it: "simulation", in German "Antriebssimulation".
 [[nodiscard]] Wording drive_name(machine::DriveType const& drive);
 
-/// Where the position is controlled: from the machine file, else from P-AXIS-00320, else by drive type; unknown for an
-/// open position loop, and if the lists' values cannot be used.
+/// Where the position is controlled: from the machine file, else from P-AXIS-00320, else by drive type;
+/// unknown for an open position loop, and if the lists' values cannot be used.
 [[nodiscard]] machine::PositionController position_controller(LoadedAxis const& axis);
 
 /// P-AXIS-00320 is one of OPEN_POSITION_LOOP_…

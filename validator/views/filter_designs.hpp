@@ -19,8 +19,9 @@ struct ChainLink {
   design::FilterDesign const* design;
 };
 
-/// Specifications and designs of the filters that a list touches, each computed once, on first access: several rules
-/// use the same one, and the machine is built from them. One FilterDesigns serves one thread at a time.
+/// Specifications and designs of the filters that a list touches, each computed once, on first access:
+/// several rules use the same one, and the machine is built from them. One FilterDesigns serves one thread at
+/// a time.
 class FilterDesigns {
  public:
   /// `filters` must outlive this object and must not move.
@@ -31,8 +32,8 @@ class FilterDesigns {
       FilterView const& filter) const;
   /// The design of one of the filters; null if it is not active or a value is out of range.
   [[nodiscard]] design::FilterDesign const* of(FilterView const& filter) const;
-  /// The chain that the setpoint passes; empty if no filter is active, or if one of them cannot be
-  /// designed, so that nothing is said about a chain that is not the real one.
+  /// The chain that the setpoint passes; empty if no filter is active, or if one of them cannot be designed,
+  /// so that no statement is made about an incomplete chain.
   [[nodiscard]] std::vector<ChainLink> setpoint_chain() const;
 
  private:

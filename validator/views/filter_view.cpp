@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::uint32_t setpoint_filters = 3;
 constexpr std::uint32_t interface_filters = 1;
-constexpr int hsc_prototype = 5;
-constexpr int hsc_mean = 8;
 
 enum class Member : std::uint8_t { enable, order, prototype, type, frequency, quality, share, time_constant };
 
@@ -72,11 +70,11 @@ FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uin
 }
 
 bool FilterView::is_hsc() const {
-  return !prototype.unusable && static_cast<int>(prototype.value.number) == hsc_prototype;
+  return !prototype.unusable && static_cast<int>(prototype.value.number) == design::hsc_prototype;
 }
 
 int FilterView::type_number() const {
-  if (port == FilterPort::setpoint && !type.set() && is_hsc()) return hsc_mean;
+  if (port == FilterPort::setpoint && !type.set() && is_hsc()) return static_cast<int>(design::HscType::mean);
   return static_cast<int>(type.value.number);
 }
 

@@ -56,8 +56,8 @@ struct FilterView {
   [[nodiscard]] std::optional<design::FilterSpecification> specification(design::CycleTime cycle_time) const;
 };
 
-/// Every standard filter with at least one parameter that a list sets: filter[0..2], then those of the additional
-/// interface.
+/// Every standard filter with at least one parameter that a list sets: filter[0..2], then those of the
+/// additional interface.
 [[nodiscard]] std::vector<FilterView> touched_filters(EffectiveValues const& values);
 
 }  // namespace axisc::validator

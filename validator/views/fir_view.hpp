@@ -37,11 +37,12 @@ struct FirView {
   [[nodiscard]] bool configured() const { return configured_type() != FirType::none; }
   /// 200, for the time delay 100.
   [[nodiscard]] std::uint32_t longest_order() const;
-  /// order or, if that is 0, the order that order_time gives; 0 if neither gives one. May exceed longest_order().
+  /// order or, if that is 0, the order that order_time gives; 0 if neither gives one. May exceed
+  /// longest_order().
   [[nodiscard]] double resulting_order(design::CycleTime cycle_time) const;
-  /// The kernel of a configured filter with the lists' values, of order 0 if there is no order; none if a value is out
-  /// of range. Values that the type ignores keep the specification's own defaults, so that equal filters have equal
-  /// specifications.
+  /// The kernel of a configured filter with the lists' values, of order 0 if there is no order; none if a
+  /// value is out of range. Values that the type ignores keep the specification's own defaults, so that equal
+  /// filters have equal specifications.
   [[nodiscard]] std::optional<design::KernelSpecification> specification(design::CycleTime cycle_time) const;
   /// The place of a finding about `wanted`, as in FilterView.
   [[nodiscard]] EffectiveValue const& anchor(EffectiveValue const& wanted) const;

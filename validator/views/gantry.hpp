@@ -1,5 +1,5 @@
-// The role of an axis in a gantry. Its lists set it in kenngr.achs_mode and kenngr.gantry_ax_nr; the machine file adds
-// what they leave open. A mode that is the documented default leaves it open.
+// The role of an axis in a gantry. Its lists set it in kenngr.achs_mode and kenngr.gantry_ax_nr; the machine
+// file adds what they leave open. A mode that is the documented default leaves it open.
 #pragma once
 
 #include "validator/loading/loading.hpp"
@@ -10,7 +10,7 @@
 
 namespace axisc::validator {
 
-/// What the lists of an axis say. References stay valid while the EffectiveValues live.
+/// The gantry settings in the lists of an axis. References stay valid while the EffectiveValues live.
 struct GantryView {
   EffectiveValue const& mode;           ///< P-AXIS-00015
   EffectiveValue const& master_number;  ///< P-AXIS-00070
@@ -24,7 +24,7 @@ struct GantryView {
   [[nodiscard]] std::optional<std::uint32_t> named_master() const;
 };
 
-/// What the machine file says about the axis as a slave, or as a master; null if it says nothing.
+/// The entry of the machine file about the axis as a slave, or as a master; null if there is none.
 [[nodiscard]] GantryClaim const* slave_claim(LoadedMachine const& machine, std::size_t axis);
 [[nodiscard]] GantryClaim const* master_claim(LoadedMachine const& machine, std::size_t axis);
 

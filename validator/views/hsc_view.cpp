@@ -21,11 +21,8 @@ std::vector<FilterView> configured_hsc(std::span<FilterView const> filters) {
 
 std::optional<HscType> hsc_type(FilterView const& filter) {
   if (!is_configured_hsc(filter) || filter.type_unusable()) return std::nullopt;
-  int const number = filter.type_number();
-  if (number != static_cast<int>(HscType::mean) && number != static_cast<int>(HscType::novib)) {
-    return std::nullopt;
-  }
-  return static_cast<HscType>(number);
+  auto const* const kind = design::find_hsc_kind(filter.type_number());
+  return kind == nullptr ? std::nullopt : std::optional(kind->type);
 }
 
 double resulting_hsc_order(FilterView const& filter, design::CycleTime cycle_time) {
@@ -44,7 +41,7 @@ std::optional<design::KernelSpecification> hsc_kernel(FilterView const& filter,
   specification.cycle_time = filter.readings.cycle_time;
   if (specification.share_percent < 0 || specification.share_percent > 100) return std::nullopt;
   double const order = resulting_hsc_order(filter, cycle_time);
-  auto const kernel = *type == HscType::mean ? design::KernelType::moving_average : design::KernelType::novib;
+  auto const kernel = design::find_hsc_kind(filter.type_number())->kernel;
   if (order > design::longest_order(kernel, filter.readings.kernels)) return std::nullopt;
   if (*type == HscType::mean) {
     if (!(filter.order.value.number > 0) && filter.time_constant.unusable) return std::nullopt;

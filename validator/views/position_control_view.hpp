@@ -1,5 +1,5 @@
-// The parameters of Improved Position Control, seen together, in both spellings of a stage: `filter.order` with
-// `filter.damping`, and from V3.1.3132.0 `filter[k].order` with `osc_damping`.
+// The parameters of Improved Position Control, seen together, in both spellings of a stage: `filter.order`
+// with `filter.damping`, and from V3.1.3132.0 `filter[k].order` with `osc_damping`.
 #pragma once
 
 #include "configuration/machine/machine.hpp"

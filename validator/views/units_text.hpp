@@ -13,8 +13,8 @@ namespace axisc::validator {
 /// Unit of the raw number on an axis of that type; empty where it has none.
 [[nodiscard]] std::string_view unit_of(schema::Parameter const& parameter, machine::AxisType type);
 
-/// `raw` in its usual unit: 12000 "us" is "12 ms", 5000 "0.1 um" is "0.5 mm". Unknown units are kept; a number without
-/// unit is printed alone.
+/// `raw` in its usual unit: 12000 "us" is "12 ms", 5000 "0.1 um" is "0.5 mm". Unknown units are kept; a
+/// number without unit is printed alone.
 [[nodiscard]] Wording physical(double raw, std::string_view unit);
 
 /// True if physical() prints a number different from the raw one.

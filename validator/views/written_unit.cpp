@@ -32,7 +32,7 @@ enum class Quantity : std::uint8_t {
 struct UnitRow {
   std::string_view text;
   Quantity quantity{};
-  double factor = 1;  ///< to s, Hz, m, ° and what is made of them
+  double factor = 1;  ///< to s, Hz, m, ° and units composed of them
 };
 
 constexpr double minute = 60;

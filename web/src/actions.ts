@@ -1,4 +1,4 @@
-// What buttons do with the files: repair, align, save, compile, and make a link of them.
+// What the buttons do with the files: repair, align, save, compile, and make a link of them.
 import { zipSync } from 'fflate';
 import { byId, save } from './elements';
 import { toFragment } from './link';
@@ -23,7 +23,7 @@ export class Actions {
     }
   }
 
-  /** Runs a command that writes files in place, and takes what it changed. */
+  /** Runs a command that writes files in place, and takes over the changed files. */
   private async written(words: string[], paths: string[]): Promise<{ changed: string[]; err: string }> {
     const outcome = await this.page.program.run({ words, wanted: paths });
     const files = this.page.workspace.files;

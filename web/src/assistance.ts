@@ -1,4 +1,4 @@
-// What the language server knows, in the editor: meaning under the pointer, completion, quantities behind raw numbers.
+// The language server in the editor: meaning under the pointer, completion, quantities after raw numbers.
 import { autocompletion, completionKeymap, type Completion, type CompletionContext, type CompletionResult } from '@codemirror/autocomplete';
 import { StateEffect, StateField, type Extension, type Text } from '@codemirror/state';
 import { Decoration, EditorView, WidgetType, hoverTooltip, keymap, type DecorationSet } from '@codemirror/view';
@@ -82,7 +82,9 @@ const hintField = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
-/** Asks for the hints of what is shown; what changed meanwhile is asked for again by who changed it. */
+/**
+ * Asks for the hints of the shown text; if it has changed by the reply, that change has asked for them again.
+ */
 export async function refreshHints(server: Server, view: EditorView): Promise<void> {
   const document = view.state.doc;
   const hints = await server.hints(document.lines);

@@ -1,4 +1,4 @@
-// One check after the other, until what was checked is what is there.
+// One check after the other, until the present state has been checked.
 import { Interrupted, type Outcome } from './program';
 
 export const reasonOf = (failure: unknown): string => (failure instanceof Error ? failure.message : String(failure));
@@ -9,7 +9,7 @@ export class Checks {
   private since = 0;
 
   constructor(
-    /** Null where what was checked is gone. */
+    /** Null if there is nothing to check any more. */
     private readonly check: () => Promise<Outcome | null>,
     private readonly failed: (failure: unknown) => void,
   ) {}
@@ -35,7 +35,7 @@ export class Checks {
     }
   }
 
-  /** For who measures the page. */
+  /** For tests that measure the page. */
   private finished(outcome: Outcome): void {
     const data = document.body.dataset;
     data['checked'] = String(Number(data['checked'] ?? 0) + 1);

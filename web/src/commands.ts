@@ -1,4 +1,4 @@
-// The words that commands are called with: language, cycle time, and the files or the machine they are about.
+// The arguments of commands: language, cycle time, and the files or the machine they are about.
 import { byId } from './elements';
 import { currentLanguage } from './texts';
 import type { Workspace } from './workspace';
@@ -16,7 +16,7 @@ export class Commands {
     return byId<HTMLInputElement>('cycle-time').value.trim();
   }
 
-  /** Language, and the cycle time where no file says it. Without an input: for everything that is open. */
+  /** Language, and the cycle time where no file sets it. Without an input: for everything that is open. */
   settings(input = ''): string[] {
     const { workspace } = this.page;
     const isSaid = input === '' ? workspace.descriptions.length > 0 : workspace.machineOf(input) !== input;

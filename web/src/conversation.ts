@@ -1,4 +1,5 @@
-// The language server of an instance: one for all requests, which is told what has changed since the last one.
+// The language server of an instance: one for all requests, which is informed of all changes since the last
+// one.
 import { begin, take } from '../../cli/browser/server.mjs';
 import { folder, whole, type Instance } from './instance';
 import type { Question } from './program';
@@ -21,7 +22,7 @@ export class Conversation {
 
   constructor(private readonly instance: Instance) {}
 
-  /** `changed`: the files that are others than at the last question. */
+  /** `changed`: the files that have changed since the last request. */
   ask({ words, path, text, method, more }: Question, changed: Iterable<string>): unknown {
     const messages = [...this.start(words), ...this.changes(changed), ...this.turn(addressOf(path), text)];
     const id = ++this.last;
@@ -47,7 +48,7 @@ export class Conversation {
     return changes.length === 0 ? [] : [{ method: 'workspace/didChangeWatchedFiles', params: { changes } }];
   }
 
-  /** Turns to a list: opens it, or says what it is now. */
+  /** Switches to a list: opens it, or sends its present text. */
   private turn(uri: string, text: string): object[] {
     const before = this.open;
     if (before?.uri === uri && before.text === text) return [];

@@ -1,4 +1,4 @@
-// The text of one file with its findings; line ends and encoding of what is not edited stay.
+// The text of one file with its findings; unedited text keeps its line ends and encoding.
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { search, searchKeymap } from '@codemirror/search';

@@ -1,4 +1,4 @@
-// Elements with text: what files contain is never read as HTML.
+// Elements with text: the contents of files are never read as HTML.
 type Child = Node | string | null | undefined | false;
 
 export function element<Name extends keyof HTMLElementTagNameMap>(

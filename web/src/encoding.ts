@@ -1,4 +1,4 @@
-// Lists are UTF-8 or windows-1252; what was not edited keeps its bytes, its line ends too.
+// Lists are UTF-8 or windows-1252; unedited text keeps its bytes, its line ends included.
 export type Encoding = 'utf-8' | 'windows-1252';
 
 export interface Decoded {
@@ -23,14 +23,16 @@ export function decode(bytes: Uint8Array): Decoded {
   }
 }
 
-/** In windows-1252 unless a character has no place there: then the whole text becomes UTF-8. */
+/** In windows-1252 unless it lacks one of the characters: then the whole text becomes UTF-8. */
 export function encode({ text, encoding, mark: marked }: Decoded): Uint8Array {
   const single = encoding === 'windows-1252' ? [...text].map((character) => table.get(character)) : [undefined];
   const bytes = single.includes(undefined) ? new TextEncoder().encode(text) : Uint8Array.from(single as number[]);
   return marked ? Uint8Array.from([...mark, ...bytes]) : bytes;
 }
 
-/** Lines without their ends (LF or CRLF, as the program counts them), and the ends; the last line has none. */
+/**
+ * Lines without their ends (LF or CRLF, as the program counts them), and the ends; the last line has none.
+ */
 export function lines(text: string): { texts: string[]; ends: string[] } {
   const parts = text.split(/(\r?\n)/);
   return { texts: parts.filter((_, i) => i % 2 === 0), ends: parts.filter((_, i) => i % 2 === 1) };

@@ -33,7 +33,7 @@ export interface Finding {
   fix?: { title: string; edits: Edit[] } | null;
 }
 
-/** As the page names it: see named() of src/workspace.ts. */
+/** The page's name of a file: see named() of src/workspace.ts. */
 const plain = (path: string): string => path.replace(/^\.\//, '');
 
 export function findingsIn(json: string): Finding[] {

@@ -1,4 +1,4 @@
-// What the page begins with: the list of its link, or one with a mistake.
+// The first list on the page: that of its link, or one with a mistake.
 import type { Incoming } from './incoming';
 import type { Shared } from './link';
 

@@ -40,7 +40,7 @@ function checked(files: Incoming): Incoming {
 
 export async function dropped(transfer: DataTransfer): Promise<Incoming> {
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
-  // What was not dragged from a disk has files without entries.
+  // Drags from anywhere but a disk have files without entries.
   if (entries.length === 0) return chosen(transfer.files);
   const files: Incoming = [];
   for (const entry of entries) await collect(entry, files);
@@ -54,7 +54,7 @@ export async function chosen(list: FileList): Promise<Incoming> {
   return checked(files);
 }
 
-/** A sample's files lie in one text: names, sizes, then the bytes. */
+/** A sample's files are in one text: names, sizes, then the bytes. */
 export async function sample(name: string): Promise<Incoming> {
   const answer = await fetch(`samples/${name}.bin`);
   if (!answer.ok) throw new Error(name);

@@ -1,4 +1,5 @@
-// An instance of the program's module, with streams of its own and the files of the page. It runs one command after the other.
+// An instance of the program's module, with streams of its own and the files of the page. It runs one command
+// after the other.
 import type { Program as Module } from '../../cli/browser/server.mjs';
 import { Stream } from './stream';
 
@@ -77,7 +78,7 @@ export class Instance {
     return this.memory.buffer.byteLength;
   }
 
-  /** Makes its files those of the page; gives the paths of those that were others. */
+  /** Replaces its files by those of the page; returns the paths of those that differed. */
   update(files: ReadonlyMap<string, Uint8Array>): string[] {
     const gone = [...this.files.keys()].filter((path) => !files.has(path));
     const changed = [...files].filter(([path, bytes]) => this.files.get(path) !== bytes);
@@ -99,11 +100,11 @@ export class Instance {
     for (let parent = above(whole(path)); parent !== '' && parent !== folder && isEmpty(parent); parent = above(parent)) FS.rmdir(parent);
   }
 
-  /** Runs a command. What it writes to the `wanted` paths is taken out of the file system. */
+  /** Runs a command. Files that it writes to the `wanted` paths are taken out of the file system. */
   run(words: string[], wanted: string[]) {
     const { program, streams } = this;
     Object.assign(streams, { out: new Stream(), err: new Stream(), status: 0 });
-    // callMain() leaves the words on the stack.
+    // callMain() leaves the arguments on the stack.
     const top = program.stackSave();
     const status = program.callMain(words) ?? streams.status;
     program.stackRestore(top);
@@ -116,7 +117,7 @@ export class Instance {
     return { status, out: streams.out.written(), err: streams.err.written(), written };
   }
 
-  /** What was written to standard error since the last run began. */
+  /** The output on standard error since the last run began. */
   get complaint(): string {
     return new TextDecoder().decode(this.streams.err.written());
   }

@@ -1,4 +1,4 @@
-// The page: files in, findings, fixes, machine, pictures and report out.
+// The page: takes files in, and shows findings, fixes, machine, pictures and report.
 import { Actions } from './actions';
 import { Controls } from './controls';
 import { byId } from './elements';

@@ -1,5 +1,5 @@
-// The Markdown that the program writes, as elements: headings, lists, code, pictures in data URIs. Anything else stays text, and
-// addresses are not followed.
+// The Markdown that the program writes, as elements: headings, lists, code, pictures in data URIs. Anything
+// else stays text, and addresses are not followed.
 import { element } from './elements';
 
 const picture = /^data:image\/svg\+xml[;,]/;
@@ -29,7 +29,7 @@ function table(rows: string[]): HTMLElement {
   return element('table', {}, element('thead', {}, row(head ?? '||', 'th')), element('tbody', {}, ...body.map((line) => row(line, 'td'))));
 }
 
-/** The lines from `at` that `belongs` holds for. */
+/** The lines from `at` on for which `belongs` holds. */
 function run(lines: string[], at: number, belongs: (line: string) => boolean): string[] {
   const end = lines.findIndex((line, i) => i >= at && !belongs(line));
   return lines.slice(at, end < 0 ? lines.length : end);

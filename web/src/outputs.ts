@@ -1,7 +1,8 @@
-// The panels beside the findings: files, machine, pictures, report. A panel is computed while it is looked at.
+// The panels next to the findings: files, machine, pictures, report. A panel is computed only while it is
+// visible.
 import { button, byId, element, save } from './elements';
 import type { Finding } from './findings';
-import type { Page } from './page';
+import type { Desk } from './desk';
 import { markdown } from './markdown';
 import { Pictures } from './pictures';
 import { Interrupted } from './program';
@@ -17,7 +18,7 @@ export class Outputs {
   private round = 0;
   private reportUrl: string | null = null;
 
-  constructor(private readonly page: Page) {
+  constructor(private readonly page: Desk) {
     this.pictures = new Pictures(page, () => this.refresh());
     for (const panel of panels) {
       const tab = byId(`tab-${panel}`);

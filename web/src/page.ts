@@ -1,4 +1,4 @@
-// What is open, and what the program says of it.
+// The open files, and the program's answers about them.
 import { Checks, reasonOf } from './checks';
 import { Commands } from './commands';
 import { Editor } from './editor';
@@ -68,7 +68,7 @@ export class Page {
     this.editor.focus();
   }
 
-  /** A file that somebody asked for. */
+  /** Shows a requested file. */
   choose(path: string): void {
     this.isChosen = true;
     this.show(path);
@@ -92,7 +92,7 @@ export class Page {
     void this.check(false);
   }
 
-  /** Checks what is open; done when the findings are those of its present state. */
+  /** Checks the open files; resolves when the findings match their present state. */
   check(isNew: boolean): Promise<void> {
     if (isNew) this.tell(say('checking'));
     return this.checks.again();
@@ -116,7 +116,7 @@ export class Page {
     byId('counts').textContent = text.trim();
   }
 
-  /** A page of Markdown, or what a command says, over the others. */
+  /** A page of Markdown, or the output of a command, over the others. */
   async explain(code: string): Promise<void> {
     const outcome = await this.program.run({ words: ['explain', '--lang', currentLanguage(), code] });
     this.outputs.open(outcome.out || outcome.err);
@@ -150,7 +150,7 @@ export class Page {
     this.editor.go({ file: finding.file, line, column, end_line, end_column });
   }
 
-  /** The edits of one finding: in the editor what it shows, in other files at once. */
+  /** The edits of one finding: in the editor those of the shown file, in other files at once. */
   private fix(finding: Finding): void {
     const edits = finding.fix?.edits ?? [];
     const here = edits.some((edit) => edit.file === this.shown) ? this.shown : edits[0]?.file;

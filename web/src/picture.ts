@@ -1,4 +1,5 @@
-// A picture of the program, shown as an image: what it contains never runs. Larger by button, by key, by wheel; moved by pointer.
+// A picture of the program, shown as an image: scripts in it never run. Zooms by button, by key and by wheel;
+// moves by pointer.
 import { button, element } from './elements';
 import { say } from './texts';
 

@@ -1,10 +1,10 @@
-// The panel of pictures: which one, of what, and the picture itself.
+// The panel of pictures: the kind, its subject, and the picture itself.
 import { byId, element, save } from './elements';
-import type { Page } from './page';
+import type { Desk } from './desk';
 import { Picture } from './picture';
 import { say } from './texts';
 
-/** What a kind is drawn of, beside the machine, as `axisc plot` wants it. */
+/** The subject of a kind, in addition to the machine, as `axisc plot` expects it. */
 interface Kind {
   of: 'axes' | 'contour' | 'program' | 'plant';
 }
@@ -20,7 +20,7 @@ export const kinds = {
 } as const satisfies Record<string, Kind>;
 type KindName = keyof typeof kinds;
 
-/** Puts choices into a menu; the one that was chosen stays, where it is still there. */
+/** Puts choices into a menu; the selected one stays if it is still there. */
 function fill(menu: HTMLSelectElement, choices: readonly (readonly [string, string])[]): void {
   const wanted = menu.value;
   menu.replaceChildren(...choices.map(([value, text]) => element('option', { value }, text)));
@@ -39,7 +39,7 @@ export class Pictures {
   private svg = '';
 
   constructor(
-    private readonly page: Page,
+    private readonly page: Desk,
     refresh: () => void,
   ) {
     byId('save-picture').addEventListener('click', () => save('picture.svg', this.svg, 'image/svg+xml'));
@@ -78,7 +78,7 @@ export class Pictures {
   /** The choices that a kind has. */
   private offer(of: Kind['of'], axes: readonly string[]): void {
     const { plants, paths } = this.page.workspace;
-    // One axis moves with its plant, all may lie over one another.
+    // One axis moves with its plant; all may be drawn over one another.
     fill(this.axis, [...(of === 'plant' ? [] : [['', say('everyAxis')] as const]), ...axes.map(same)]);
     fill(this.program, paths.filter((path) => /\.nc$/i.test(path)).map(same));
     fill(this.plant, plants.map(same));

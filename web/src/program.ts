@@ -3,7 +3,7 @@ export interface Outcome {
   status: number;
   out: string;
   err: string;
-  /** What the run wrote, of the paths that were asked for. */
+  /** The requested files that the run wrote. */
   written: Map<string, Uint8Array>;
   /** Milliseconds in the worker. */
   time: number;
@@ -15,7 +15,7 @@ export interface Run {
   wanted?: string[];
 }
 
-/** What the language server is asked about a list. */
+/** A request to the language server about a list. */
 export interface Question {
   /** Options of the server: language and cycle time. */
   words: string[];
@@ -23,7 +23,7 @@ export interface Question {
   text: string;
   /** Without its `textDocument/`. */
   method: string;
-  /** Parameters besides the list. */
+  /** Parameters in addition to the list. */
   more: object;
 }
 
@@ -124,7 +124,7 @@ export class Program {
     return { status, out: decoder.decode(out), err: decoder.decode(err), written: new Map(written), time };
   }
 
-  /** What the language server says; null where it has nothing to say. */
+  /** The answer of the language server; null where it has none. */
   async ask(question: Question): Promise<unknown> {
     const answer = await this.request((id) => ({ kind: 'ask', id, question }));
     if (answer.kind !== 'told') throw new Error(answer.kind);

@@ -1,4 +1,4 @@
-// What the language server of the program says about the list in the editor.
+// The answers of the program's language server about the list in the editor.
 import type { Program } from './program';
 
 export interface Position {
@@ -25,7 +25,7 @@ export interface Hint {
   label: string;
 }
 
-/** The list that is asked about. */
+/** The list that requests are about. */
 export interface Asked {
   path: string;
   text: string;
@@ -45,7 +45,7 @@ export class Server {
     return (await this.program.ask({ ...asked, method, more })) as Result | null;
   }
 
-  /** Markdown; empty where there is nothing to say. */
+  /** Markdown; empty where there is none. */
   async hover(position: Position): Promise<{ text: string; range: Range | null }> {
     const result = await this.request<{ contents: { value: string }; range?: Range }>('hover', { position });
     return { text: result?.contents.value ?? '', range: result?.range ?? null };

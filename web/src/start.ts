@@ -1,4 +1,4 @@
-// Starts the worker before the page's own script is loaded; what it says until then is kept.
+// Starts the worker before the page's own script is loaded; its messages are kept until then.
 import type { Started } from './program';
 
 if (location.protocol !== 'file:') {

@@ -1,4 +1,4 @@
-// What the page itself says; everything about lists is said by the program.
+// The page's own texts; all texts about lists come from the program.
 const texts = {
   title: ['Check axis parameter lists', 'Achsparameterlisten prüfen'],
   open: ['Open files', 'Dateien öffnen'],

@@ -1,11 +1,11 @@
-// Runs the program: one instance of its module does all that is asked, as long as it stays small.
+// Runs the program: one instance of its module does everything, as long as it stays small.
 import { Conversation } from './conversation';
 import { Instance } from './instance';
 import type { Answer, Request } from './program';
 
 declare function importScripts(...scripts: string[]): void;
 
-/** What an instance may keep: a large file is no burden on what follows. */
+/** The memory that an instance may keep: a large file must not burden later requests. */
 const largest = 64 * 1024 * 1024;
 const files = new Map<string, Uint8Array>();
 
@@ -36,7 +36,7 @@ class Service {
   }
 }
 
-/** What to do about a request, once the module is compiled. */
+/** Handles a request, once the module is compiled. */
 async function begin(): Promise<(request: Request) => Promise<void>> {
   const streamed = WebAssembly.compileStreaming(fetch('axisc.wasm'));
   importScripts('axisc.js');
@@ -55,14 +55,14 @@ async function begin(): Promise<(request: Request) => Promise<void>> {
       answer(standing.do(request));
       if (standing.instance.size > largest) service = create();
     } catch (failure) {
-      // What a failed run has left behind is not known.
+      // A failed run may have left anything behind.
       answer({ kind: 'failed', id: request.id, reason: reason(failure) });
       service = create();
     }
   };
 }
 
-// One after the other; what arrives while the module is compiled waits for it.
+// One after the other; requests that arrive while the module is compiled wait for it.
 const started = begin();
 let queue: Promise<void> = started.then(
   () => undefined,

@@ -1,4 +1,4 @@
-// The files that a user brought, as they came and as they are now.
+// The files that the user opened, as they came and as they are now.
 import { edited } from './edits';
 import { decode, encode, isBinary, type Decoded } from './encoding';
 import type { Edit } from './findings';
@@ -12,7 +12,7 @@ export interface WorkFile {
 export const largestShown = 4 * 1024 * 1024;
 const description = /(^|\/)(hochlauf[^/]*\.(lis|xml)|(?!axisc\.json$)[^/]*\.json|[^/]*\.(tsproj|xti))$/i;
 
-/** A name that is no option of the program, and no file of options. */
+/** A name that the program takes neither for an option nor for a response file. */
 const named = (path: string): string => (/^[-@]/.test(path) ? `./${path}` : path);
 
 export class Workspace {
@@ -43,7 +43,7 @@ export class Workspace {
     return this.paths.filter((path) => /\.json$/i.test(path) && /"plants"\s*:/.test(this.text(path)?.text ?? ''));
   }
 
-  /** What `lint` is called with: the folder, or each file. */
+  /** The input of `lint`: the folder, or each file. */
   get checked(): string[] {
     if (this.root !== '') return [named(this.root)];
     // Plants and settings are read by the commands that need them.
@@ -52,7 +52,7 @@ export class Workspace {
     return (known.length > 0 ? known : this.paths).map(named);
   }
 
-  /** What the commands about one machine are called with, while `shown` is looked at: its machine, or the list alone. */
+  /** The input of commands about one machine, while `shown` is looked at: its machine, or the list alone. */
   machineOf(shown: string): string {
     const descriptions = this.descriptions;
     const above = descriptions.filter((path) => path === shown || shown.startsWith(path.slice(0, path.lastIndexOf('/') + 1)));
@@ -65,14 +65,14 @@ export class Workspace {
     return [...this.files.values()].filter((file) => file.bytes !== file.original);
   }
 
-  /** Null where the file is no text, or too long for an editor. */
+  /** Null where the file is not text, or too long for an editor. */
   text(path: string): Decoded | null {
     const file = this.files.get(path);
     if (!file || file.bytes.length > largestShown || isBinary(file.bytes)) return null;
     return decode(file.bytes);
   }
 
-  /** The bytes of a changed file; those that came where they mean the same. */
+  /** The bytes of a changed file; the original bytes where they mean the same. */
   write(path: string, decoded: Decoded): Uint8Array {
     return this.put(path, encode(decoded));
   }

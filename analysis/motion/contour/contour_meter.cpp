@@ -74,6 +74,12 @@ void ContourMeter::finish() {
 }
 
 void ContourMeter::measure(ContourPoint const& point) {
+  auto measured = look(point);
+  if (!point.is_corner) measured.lag = lag_of(point);
+  sink_.measured(measured);
+}
+
+MeasuredPoint ContourMeter::look(ContourPoint const& point) {
   auto const cycle = static_cast<std::int64_t>(point.cycle);
   auto const newest = static_cast<std::int64_t>(cycles_) - 1;
   auto const last = std::min(cycle + to_, newest);
@@ -86,9 +92,9 @@ void ContourMeter::measure(ContourPoint const& point) {
                          .filtered = path_.at(point.cycle),
                          .axis_error = found.point.away,
                          .deviation = found.point.distance(),
-                         .lag = point.is_corner ? std::nullopt : lag_of(point)};
+                         .lag = std::nullopt};
   for (auto& error : measured.axis_error) error = std::abs(error);
-  sink_.measured(measured);
+  return measured;
 }
 
 std::optional<double> ContourMeter::lag_of(ContourPoint const& point) const {

@@ -81,7 +81,8 @@ ContourFigures measure(Corner const& corner, Plane const& plane) {
   return figures;
 }
 
-/// Response at θ from the second differences of the ramp's answer, the impulse response:  G = Σ b[n] e^(-jθn).
+/// Response at θ from the second differences of the ramp's answer, the impulse response:  G = Σ b[n]
+/// e^(-jθn).
 std::complex<double> gain(ChainAnswer const& answer, double theta) {
   auto const turn = std::polar(1.0, -theta);
   std::complex<double> phasor = 1;
@@ -94,13 +95,14 @@ std::complex<double> gain(ChainAnswer const& answer, double theta) {
   return sum;
 }
 
-/// Setpoints r cos and r sin of an angle come out as the real part of one product and the imaginary part of another.
+/// Setpoints r cos and r sin of an angle come out as the real part of one product and the imaginary part of
+/// another.
 struct Circle {
   std::complex<double> x, y;
 
   Circle(Plane const& plane, double velocity, double radius) {
     double const theta = velocity / radius;
-    // The delay of the first axis is no deviation: both are seen from there.
+    // The delay of the first axis is not a deviation: both axes are measured from there.
     auto const seen = std::polar(1.0, theta * plane.first.delay);
     x = radius * gain(plane.first, theta) * seen;
     y = radius * gain(plane.second, theta) * seen;

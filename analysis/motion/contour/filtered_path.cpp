@@ -35,8 +35,9 @@ void FilteredPath::append(Point const& point) {
   ++end_;
 }
 
-/// Halves a stretch of the path until nothing in it can be nearer. Whoever goes s from one end, d away from the point, to the
-/// other, e away, comes r near to the point only if s ≥ (d - r) + (e - r): a stretch comes no nearer than (d + e - s) / 2.
+/// Halves a stretch of the path until nothing in it can be nearer. A way of length s from an end at distance
+/// d to an end at distance e passes within r of the point only if s ≥ (d - r) + (e - r): it comes no nearer
+/// than (d + e - s) / 2.
 struct FilteredPath::Search {
   FilteredPath const& path;
   Point const& point;
@@ -63,7 +64,8 @@ struct FilteredPath::Search {
     look_between(a, d, middle, m);
     look_between(middle, m, b, e);
   }
-  /// Stretches that grow with their distance from `begin`, as long as there may be a nearer point up to `end`.
+  /// Stretches that grow with their distance from `begin`, as long as there may be a nearer point up to
+  /// `end`.
   void look_towards(std::uint64_t begin, std::uint64_t end) {
     double d = away(begin);
     double const e = away(end);

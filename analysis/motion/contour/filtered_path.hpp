@@ -1,4 +1,4 @@
-// What the filters made of a path in the last cycles, and where it comes nearest to a point.
+// The filtered path of the last cycles, and where it comes nearest to a point.
 #pragma once
 
 #include "analysis/motion/contour/nearest_point.hpp"
@@ -25,11 +25,11 @@ class FilteredPath {
 
   struct Nearest {
     NearestPoint point;
-    std::uint64_t cycle = 0;  ///< behind which it lies
+    std::uint64_t cycle = 0;  ///< after which it lies
   };
 
-  /// The nearest point of the path between two cycles. Exact wherever `likely` lies between them, and quick where the
-  /// nearest point is close to it: distances are computed for a logarithm of the cycles.
+  /// The nearest point of the path between two cycles. Exact wherever `likely` lies between them, and quick
+  /// where the nearest point is close to it: distances are computed for a logarithm of the cycles.
   [[nodiscard]] Nearest nearest(Point const& point, std::uint64_t first, std::uint64_t likely,
                                 std::uint64_t last) const;
 

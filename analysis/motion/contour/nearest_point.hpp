@@ -11,7 +11,7 @@
 namespace axisc::motion {
 
 struct NearestPoint {
-  Point away{};  ///< from the point that was asked for to the path
+  Point away{};  ///< from the given point to the path
   double squared = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] double distance() const { return std::sqrt(squared); }
@@ -39,7 +39,8 @@ struct NearestPoint {
   }
 };
 
-/// A path whose nearest point is found without looking at all of it: a way of s along the path leads at most s nearer.
+/// A path whose nearest point is found without looking at all of it: a way of s along the path leads at most
+/// s nearer.
 class SearchedPath {
  public:
   explicit SearchedPath(std::vector<Point> points) : points_(std::move(points)) {

@@ -27,7 +27,7 @@ bool is_geometric(std::string_view command) {
                      [command](std::string_view name) { return command.starts_with(name); });
 }
 
-/// Of other commands only the name was read: the rest of the block belongs to them. Without blanks.
+/// Only the name of other commands was read: the rest of the block belongs to them. Without blanks.
 std::string written(std::size_t at, NcBlock const& block) {
   std::string command;
   for (; at < block.tokens.size(); ++at) command += block.text(block.tokens[at]);

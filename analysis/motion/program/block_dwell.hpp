@@ -13,13 +13,13 @@ class BlockDwell {
   /// Both outlive this.
   BlockDwell(NcBlock const& block, ProgramState& state) : block_(block), state_(state) {}
 
-  /// The word G04: from here on numbers of the block are no positions.
+  /// The word G04: from here on, numbers in the block are not positions.
   void begin(Token const& word) { word_ = word; }
   [[nodiscard]] bool is_open() const { return word_.has_value(); }
   [[nodiscard]] bool has_time() const { return seconds_.has_value(); }
   /// A second number is refused.
   void take(Token const& token, double seconds);
-  /// Behind the last word: the path stops for so long. A G04 without a number is refused.
+  /// After the last word: the path stops for the dwell time. A G04 without a number is refused.
   void finish();
 
  private:

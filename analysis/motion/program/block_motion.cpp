@@ -100,7 +100,7 @@ void BlockMotion::move() {
   state_.listener.motion(next_);
 }
 
-/// Position units per cycle. What is missing is refused once in a program.
+/// Position units per cycle. A missing feed is refused once in a program.
 double BlockMotion::feed() {
   auto& modal = state_.modal;
   if (modal.motion == MotionKind::rapid) return std::numeric_limits<double>::infinity();
@@ -122,7 +122,7 @@ bool BlockMotion::asks_for_arc() const {
          std::any_of(to_center_.begin(), to_center_.end(), [](auto const& word) { return word.has_value(); });
 }
 
-/// False where the block says no circle that could be followed.
+/// False where the block describes no circle that can be followed.
 bool BlockMotion::make_arc() {
   auto const& modal = state_.modal;
   next_.arc = nullptr;

@@ -12,7 +12,7 @@
 
 namespace axisc::motion {
 
-/// One block's motion. What words say of it is refused where they cannot be followed.
+/// One block's motion. Words that cannot be followed are refused.
 class BlockMotion {
  public:
   BlockMotion(NcBlock const& block, ProgramState& state);
@@ -24,11 +24,11 @@ class BlockMotion {
   void take_arc_word(Token const& token, char letter, double value);
   /// F, in the program's unit.
   void take_feed(Token const& token, double value);
-  /// S: counts with G95, otherwise for nothing.
+  /// S: counts with G95 only.
   void take_speed(Token const& token, double value);
-  /// Words since the last move() say where to.
+  /// Words since the last move() give a destination.
   [[nodiscard]] bool moves() const { return moves_; }
-  /// What the words so far ask for goes to the listener.
+  /// Passes the motion of the words so far to the listener.
   void move();
 
  private:

@@ -43,7 +43,7 @@ BlockOutcome BlockWords::execute() {
   return outcome_;
 }
 
-/// Understands what begins with the token and returns the place behind it.
+/// Understands what begins with the token and returns the place after it.
 std::size_t BlockWords::take(std::size_t at) {
   Token const& token = block_.tokens[at];
   if (token.command) return take_command(at);

@@ -1,4 +1,4 @@
-// What the words of a block say, one after the other.
+// Executes the words of a block, one after the other.
 #pragma once
 
 #include "analysis/motion/program/block_dwell.hpp"
@@ -13,7 +13,7 @@
 
 namespace axisc::motion {
 
-/// What a block leaves to the program's flow.
+/// The effects of a block on the flow of the program.
 struct BlockOutcome {
   std::optional<std::size_t> call;  ///< the word LL of a call
   bool returns = false;             ///< the subprogram ends here (M17, M29)

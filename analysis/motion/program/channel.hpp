@@ -15,7 +15,7 @@
 
 namespace axisc::motion {
 
-/// What a #FILTER command asks for, or what is wrong with it. Spans count like those of the command.
+/// The meaning of a #FILTER command, or its mistakes. Spans count like those of the command.
 struct FilterCommandReading {
   struct Mistake {
     Code code{};
@@ -32,7 +32,7 @@ using FilterCommandReader = std::function<FilterCommandReading(grammar::NcComman
 struct ProgramChannel {
   std::vector<std::string> axes;
   std::vector<bool> rotary;  ///< lengths of these are degrees, whatever the program's unit
-  bool inch = false;         ///< where the program says nothing else
+  bool inch = false;         ///< unless the program says otherwise
   design::CycleTime cycle_time;
   FilterCommandReader read_filter_command;
   /// Blocks of loops and subprograms that are executed at most: an endless loop ends there.

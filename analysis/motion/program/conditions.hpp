@@ -16,14 +16,14 @@ class ProgramConditions {
   ProgramConditions(ProgramVariables const& variables, ProgramProblems& problems)
       : variables_(variables), problems_(problems) {}
 
-  /// False where the block is none of a condition.
+  /// False where the block does not belong to a condition.
   bool take(NcBlock const& block);
   /// The next block is executed.
   [[nodiscard]] bool is_active() const { return open_.empty() || open_.back().holds; }
   [[nodiscard]] std::size_t open_count() const { return open_.size(); }
   /// The innermost one lacks its $ENDIF.
   void refuse_open();
-  /// Forgets those that were opened since there were so many.
+  /// Forgets those opened since there were this many.
   void close_to(std::size_t count);
 
  private:

@@ -37,7 +37,7 @@ std::string text_without_keywords(machine::FilterSwitch filter_switch) {
   return "#FILTER";
 }
 
-/// From its name to the last keyword and the bracket behind it.
+/// From its name to the last keyword and the bracket after it.
 std::string text_of(grammar::NcCommand const& command, std::string_view lines) {
   std::uint32_t last = command.name.end;
   for (auto const& keyword : command.keywords) {

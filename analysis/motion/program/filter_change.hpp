@@ -10,7 +10,7 @@
 
 namespace axisc::motion {
 
-/// What the command that the token is asks for; nothing where it was refused, each mistake with its place.
+/// The change that this #FILTER token asks for; nothing where it was refused, each mistake with its place.
 [[nodiscard]] std::optional<FilterChange> read_filter_change(NcBlock const& block, Token const& token,
                                                              ProgramChannel const& channel,
                                                              ProgramProblems& problems);

@@ -1,6 +1,6 @@
 // The order in which a program's blocks are executed.
 //
-// Blocks are executed as they come and forgotten. Kept are those of subprograms and of the loop that is open.
+// Blocks are executed as they come and forgotten, except those of subprograms and of the open loop.
 #pragma once
 
 #include "analysis/motion/program/conditions.hpp"
@@ -16,17 +16,17 @@ namespace axisc::motion {
 
 class ProgramFlow {
  public:
-  /// Outlives this.
+  /// Must outlive this.
   explicit ProgramFlow(ProgramState& state)
       : state_(state), subprograms_(state.problems), conditions_(state.variables, state.problems) {}
 
   /// The block that was read last: executed, or kept for later.
   void next(NcBlock const& block);
-  /// Behind the last block: what is open is refused.
+  /// After the last block: anything still open is refused.
   void finish();
 
  private:
-  /// Why the blocks of a loop or subprogram are left.
+  /// Why execution leaves the blocks of a loop or subprogram.
   enum class Leaves : std::uint8_t { nothing, round, loop, subprogram };
 
   bool keep_in_loop(NcBlock const& block);

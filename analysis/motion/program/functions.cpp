@@ -15,18 +15,15 @@ constexpr Sentence cannot_simulate_tool{
 
 constexpr Sentence cannot_simulate_exact_stop{
     "`{word}` cannot be simulated: such a stop lasts until the position lag is small enough (P-AXIS-00236), "
-    "and "
-    "the lag is not simulated; `G04 F0` in a block of its own stops until the filters have settled",
+    "and the lag is not simulated; `G04 F0` in a block of its own stops until the filters have settled",
     "`{word}` ist nicht simulierbar: ein solcher Halt dauert, bis der Schleppabstand klein genug ist "
     "(P-AXIS-00236), und der wird nicht simuliert; `G04 F0` in einem eigenen Satz hält, bis die Filter "
     "eingeschwungen sind"};
 constexpr Sentence cannot_simulate_braking{
     "`{word}` cannot be simulated: on this control it is not an exact stop, but says where the path has "
-    "slowed "
-    "down to the next feed rate (with G901)",
+    "slowed down to the next feed rate (with G901)",
     "`{word}` ist nicht simulierbar: auf dieser Steuerung ist es kein Genauhalt, sondern bestimmt, wo die "
-    "Bahn "
-    "auf den nächsten Vorschub gebremst hat (mit G901)"};
+    "Bahn auf den nächsten Vorschub gebremst hat (mit G901)"};
 constexpr Sentence cannot_simulate_foreign{
     "`{word}` is not a word of this control; `G359` ends exact stops",
     "`{word}` ist kein Wort dieser Steuerung; Genauhalte beendet `G359`"};
@@ -74,7 +71,7 @@ FunctionMeaning take_function(int number, ModalWords& modal) {
     case 162:
     case 260:
     case 359:
-      return FunctionMeaning::nothing;  // what they switch off is not supported
+      return FunctionMeaning::nothing;  // the functions that they switch off are not supported
     case 41:
     case 42:
       return FunctionMeaning::needs_tools;

@@ -10,17 +10,17 @@
 
 namespace axisc::motion {
 
-/// What is left to do about a G word.
+/// What remains to be done for a G word.
 enum class FunctionMeaning : std::uint8_t {
-  nothing,      ///< it is in force, or switches off what the simulation has not
-  dwell,        ///< the block says for how long
+  nothing,      ///< already in force, or switches off what the simulation does not have
+  dwell,        ///< the block gives its duration
   ignored,      ///< changes neither path nor filters
   needs_tools,  ///< refused, as are the following
   needs_offsets,
   exact_stop,
   braking,
   rounds_corners,
-  foreign,  ///< no word of this control
+  foreign,  ///< not a word of this control
   unknown,
 };
 
@@ -29,7 +29,7 @@ enum class FunctionMeaning : std::uint8_t {
 /// Why a function is refused.
 [[nodiscard]] SentenceRef refusal_of(FunctionMeaning meaning);
 
-/// G words of one group count one after the other, so that a block has one of them.
+/// G words of one group exclude each other, so that a block has at most one of them.
 class ChosenFunctions {
  public:
   /// False where another word of the block excludes it.

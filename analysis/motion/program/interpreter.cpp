@@ -30,7 +30,7 @@ void ProgramInterpreter::finish() {
   if (!state_.ended) state_.end();
 }
 
-/// Offsets stay those of the program: between two lines stand as many bytes as there.
+/// Keeps the offsets of the program: lines are as many bytes apart as there.
 void ProgramInterpreter::keep(std::string_view text, std::uint32_t offset) {
   if (reader_.block_is_open()) {
     lines_.resize(offset - offset_, '\n');
@@ -53,7 +53,7 @@ void ProgramInterpreter::command(grammar::NcCommand command) {
   commands_.push_back(std::move(command));
 }
 
-/// What was read of a block until now is all of it.
+/// The block that was read so far is complete.
 void ProgramInterpreter::next_block() {
   if (tokens_.empty()) return;
   flow_.next(

@@ -1,7 +1,8 @@
-// What an NC program says about the path, in the subset that a simulation follows; docs/nc-programs.md has the table.
+// Interprets the path of an NC program, in the subset that a simulation follows; docs/nc-programs.md has the
+// table.
 //
-// Words outside of it become problems: those that change neither path nor filters are ignored, at their first place with a
-// warning (AX9007); all others are refused (AX9008).
+// Words outside of it become problems: those that change neither path nor filters are ignored, at their first
+// place with a warning (AX9007); all others are refused (AX9008).
 #pragma once
 
 #include "analysis/motion/path_listener.hpp"
@@ -22,16 +23,17 @@ namespace axisc::motion {
 
 class ProgramInterpreter final : private grammar::ProgramListener {
  public:
-  /// The listener outlives this.
+  /// The listener must outlive this.
   ProgramInterpreter(ProgramChannel channel, PathListener& listener,
                      std::function<void(ProgramProblem)> problem);
   ProgramInterpreter(ProgramInterpreter const&) = delete;
   ProgramInterpreter& operator=(ProgramInterpreter const&) = delete;
   ~ProgramInterpreter() override = default;
 
-  /// The next line without its line end; `offset` is its place in the program. False behind the end of the program.
+  /// The next line without its line end; `offset` is its place in the program. False after the end of the
+  /// program.
   bool line(std::string_view text, std::uint32_t offset);
-  /// Behind the last line.
+  /// After the last line.
   void finish();
 
  private:

@@ -14,13 +14,14 @@ namespace axisc::motion {
 [[nodiscard]] bool opens_loop(std::string_view control);
 [[nodiscard]] bool closes_loop(std::string_view control);
 
-/// How many blocks the loop has that the first one opens, from there to the one that closes it; nothing where it stays open.
+/// How many blocks a loop has, from the one that opens it to the one that closes it; nothing where it stays
+/// open.
 [[nodiscard]] std::size_t loop_size(KeptBlocks blocks);
 
-/// The blocks that open and close a loop decide whether it goes on.
+/// The blocks that open and close a loop decide whether it continues.
 class LoopRounds {
  public:
-  /// All outlive this.
+  /// All must outlive this.
   LoopRounds(NcBlock const& opening, NcBlock const& closing, ProgramVariables& variables,
              ProgramProblems& problems)
       : opening_(opening), closing_(closing), variables_(variables), problems_(problems) {}
@@ -29,7 +30,7 @@ class LoopRounds {
   void check();
   /// Before each round; false where the loop is over or its condition was refused.
   [[nodiscard]] bool begins();
-  /// Behind each round.
+  /// After each round.
   [[nodiscard]] bool goes_on();
 
  private:

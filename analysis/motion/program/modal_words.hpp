@@ -1,4 +1,4 @@
-// What the words of a program leave in force for the blocks that follow.
+// The state that the words of a program leave in force for later blocks.
 #pragma once
 
 #include "analysis/motion/path_block.hpp"

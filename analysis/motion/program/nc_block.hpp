@@ -21,7 +21,7 @@ struct Token {
   std::optional<std::size_t> command;  ///< index into the block's commands
 };
 
-/// Looks at a block that somebody else holds.
+/// A view of a block that is stored elsewhere.
 struct NcBlock {
   std::string_view lines;    ///< the lines that it lies on
   std::uint32_t offset = 0;  ///< of the first of them in the program
@@ -31,7 +31,7 @@ struct NcBlock {
 
   [[nodiscard]] std::string_view text(Span span) const;
   [[nodiscard]] std::string_view text(Token const& token) const { return text(token.span); }
-  /// Behind what may stand before every block: `/` and N10.
+  /// After the optional prefix of every block: `/` and N10.
   [[nodiscard]] std::size_t first_word() const;
   /// `$IF` where the block begins with it, or nothing.
   [[nodiscard]] std::string_view control() const;

@@ -1,4 +1,4 @@
-// What a simulation does not follow, told with its place.
+// Places of a program that a simulation does not follow, as findings.
 #pragma once
 
 #include "analysis/motion/program/nc_block.hpp"
@@ -23,7 +23,7 @@ struct ProgramProblem {
   Span span;              ///< in it
 };
 
-/// One mistake gives one message: whoever reads a block leaves the rest of it alone once something was refused.
+/// One mistake gives one message: once something in a block is refused, the rest of the block is skipped.
 class ProgramProblems {
  public:
   explicit ProgramProblems(std::function<void(ProgramProblem)> sink) : sink_(std::move(sink)) {}
@@ -33,7 +33,7 @@ class ProgramProblems {
   /// AX9007, once for each key.
   void ignore(NcBlock const& block, Token const& token, std::string const& key, SentenceRef text,
               std::vector<Argument> arguments = {});
-  /// The same at the end of the program, unless used() says before that some word of this kind counts.
+  /// AX9007 at the end of the program, unless used() has said by then that a word of this kind counts.
   void ignore_unless_used(NcBlock const& block, Token const& token, std::string const& key, SentenceRef text);
   void used() { used_ = true; }
   void finish();
@@ -41,9 +41,9 @@ class ProgramProblems {
   void refuse(NcBlock const& block, Token const& token, SentenceRef text = says::cannot_simulate);
 
   void begin_block() { refused_ = false; }
-  /// Something of the block was refused.
+  /// Something in the block was refused.
   [[nodiscard]] bool refused() const { return refused_; }
-  /// Something of a loop or a subprogram was refused: its blocks are not executed any more.
+  /// Something in a loop or a subprogram was refused: its blocks are not executed any more.
   [[nodiscard]] bool broken() const { return broken_; }
 
  private:

@@ -1,4 +1,4 @@
-// What all blocks of a program share.
+// State that all blocks of a program share.
 #pragma once
 
 #include "analysis/motion/path_listener.hpp"

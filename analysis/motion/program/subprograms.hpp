@@ -14,18 +14,18 @@ namespace axisc::motion {
 
 class ProgramSubprograms {
  public:
-  /// Outlives this.
+  /// Must outlive this.
   explicit ProgramSubprograms(ProgramProblems& problems) : problems_(problems) {}
 
   /// `%L NAME` begins one, which may not be in a loop; %LENGTHS is a program, for which the answer is false.
   bool begin(NcBlock const& block, bool in_loop);
-  /// False where the block belongs to none.
+  /// False where the block does not belong to one.
   bool keep(NcBlock const& block);
   /// Null where there is none before this place. Valid until one begins.
   [[nodiscard]] std::vector<KeptBlock> const* find(std::string_view name) const;
 
   [[nodiscard]] bool is_open() const { return open_ != nullptr; }
-  /// The one that is open does not end.
+  /// The open one does not end.
   void refuse_open();
 
  private:

@@ -10,10 +10,10 @@ namespace axisc::motion {
 
 /// Spindle, tool and M words are ignored with one note.
 void ignore_technology(NcBlock const& block, Token const& token, ProgramProblems& problems);
-/// A spindle speed, which is one of them unless a feed rate per revolution uses it (ProgramProblems::used()).
+/// A spindle speed: ignored like those, unless a feed rate per revolution uses it (ProgramProblems::used()).
 void note_speed(NcBlock const& block, Token const& token, ProgramProblems& problems);
-/// A word with a number that means nothing to the channel: ignored where it is an axis, a spindle's or a tool's word, else
-/// refused.
+/// A word with a number that means nothing to the channel: ignored if it is a word of an axis, a spindle or a
+/// tool, refused otherwise.
 void take_unused_value(NcBlock const& block, Token const& token, std::string_view name,
                        ProgramProblems& problems);
 

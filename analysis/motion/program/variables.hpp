@@ -20,11 +20,11 @@ class ProgramVariables {
   /// Where to find it; 0 at first.
   [[nodiscard]] double& operator[](std::string const& name) { return values_[name]; }
 
-  /// The value of the expression at a place of the program, which is behind it afterwards; nothing where it was refused,
-  /// with `token` as its place.
+  /// The value of the expression at a place of the program, which is moved past it; nothing where it was
+  /// refused, with `token` as its place.
   [[nodiscard]] std::optional<double> value_at(std::uint32_t& place, NcBlock const& block, Token const& token,
                                                ProgramProblems& problems) const;
-  /// The value of the expression that is the rest of the block behind that word; 0 where it was refused.
+  /// The value of the expression that is the rest of the block after that word; 0 where it was refused.
   [[nodiscard]] double value_behind(std::size_t at, NcBlock const& block, ProgramProblems& problems) const;
 
  private:

@@ -72,7 +72,7 @@ Result response_of(NumberTable const& table, std::size_t frequency) {
   return found;
 }
 
-/// All columns that are no times. A column that repeats the times is one of them.
+/// All columns that do not hold times; a column that repeats the times is left out, too.
 std::vector<std::size_t> signal_columns(NumberTable const& table, std::size_t time) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -142,7 +142,7 @@ Identification identify(Measurement const& measurement, double highest) {
     return identify(measurement.response, lowest, highest);
   }
   auto const count = static_cast<double>(measurement.in.size());
-  // The parts that are compared resolve a sixteenth of what the whole does.
+  // The parts that are compared have a sixteenth of the whole's resolution.
   constexpr double parts = 16;
   auto const lowest =
       std::max(lowest_frequency, lowest_bins * parts * measurement.sampling_rate / std::max(1.0, count));

@@ -1,10 +1,12 @@
 // A file with a measurement: two signals over time, a frequency response, or a spectrum.
 //
-// Rows of numbers in columns, as analysis/recordings/number_rows.hpp reads them. TwinCAT Scope writes a column of times for each signal:
-// all but the first are left out.
+// Rows of numbers in columns, as analysis/recordings/number_rows.hpp reads them. TwinCAT Scope writes a
+// column of times for each signal: all but the first are left out.
 //
-//   signals     a column of times ("time", "time_ms", "Zeit [s]"; ms where the name says so, else s), and two others
-//   response    "frequency_hz" or "freq", "magnitude_db" or "magnitude", "phase_deg", perhaps "coherence" (0 to 1)
+//   signals     a column of times ("time", "time_ms", "Zeit [s]"; ms if the name says so, otherwise s), and
+//               two others
+//   response    "frequency_hz" or "freq", "magnitude_db" or "magnitude", "phase_deg", perhaps "coherence"
+//               (0 to 1)
 //   spectrum    "frequency_hz" or "freq", "magnitude_db", "magnitude" or "psd…"
 #pragma once
 
@@ -37,7 +39,7 @@ enum class MeasurementProblem : std::uint8_t {
   no_columns,        ///< neither times nor frequencies: the known columns
   choose_columns,    ///< more than two signals: which are input and output
   unknown_column,    ///< `column`
-  uneven_time,       ///< `line`: samples are missing, or time stands still
+  uneven_time,       ///< `line`: samples are missing, or time does not advance
   uneven_frequency,  ///< `line`: frequencies do not rise
   long_line,         ///< `line`
 };

@@ -64,7 +64,7 @@ class LeastSquares {
   std::array<std::array<double, N + 1>, N> matrix_{};
 };
 
-/// Of ω0² and 2 D ω0, as shares of the peak's frequency.
+/// The mode with these ω0² and 2 D ω0, in units of the peak's frequency.
 std::optional<Mode> mode_of(double a0, double a1, double frequency) {
   if (!(a0 > 0.25) || !(a0 < 4) || !(a1 > 0)) return std::nullopt;
   double const natural = std::sqrt(a0);

@@ -13,7 +13,7 @@ constexpr double half_power = 0.70710678;
 constexpr std::size_t quarters = 4;
 constexpr std::size_t fewest_points = 5;
 constexpr double smallest_peak = 0.1;  ///< of the largest
-/// Of a quarter, whose resolution is so coarse that a sharp peak loses coherence.
+/// For a quarter, whose resolution is so coarse that a sharp peak loses coherence.
 constexpr double lowest_coherence_of_part = 0.5;
 
 struct Candidate {
@@ -72,7 +72,7 @@ std::optional<Doubt> doubt_about(MeasuredResponse const& measured, Candidate con
   return std::nullopt;
 }
 
-/// Where no peak rises because most of the band was not excited, that is what is missing.
+/// If no peak rises because most of the band was not excited, the reason is missing excitation.
 Doubt doubt_without_peak(MeasuredResponse const& measured, double lowest, double highest) {
   std::size_t in_band = 0;
   std::size_t coherent = 0;
@@ -101,7 +101,7 @@ std::size_t power_of_two_within(std::size_t count) {
   return power;
 }
 
-/// The peak that a part of the recording has next to `peak`; none where that part does not show it.
+/// The peak next to `peak` in a part of the recording; none where that part does not show it.
 std::optional<Peak> seen_in(MeasuredResponse const& part, Peak const& peak) {
   constexpr double around = 0.4;
   auto const candidates = candidates_of(part, peak.frequency * (1 - around), peak.frequency * (1 + around));

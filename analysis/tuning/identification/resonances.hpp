@@ -12,12 +12,12 @@ namespace axisc::tuning {
 
 /// Below this coherence noise or something else than the input moves the output.
 inline constexpr double lowest_coherence = 0.8;
-/// Power of the input as a share of its largest: below it there is nothing that could show a resonance.
+/// Power of the input as a share of its largest: below it, the input cannot show a resonance.
 inline constexpr double lowest_excitation = 1e-5;
-/// A peak rises above the valleys beside it by this factor (6 dB).
+/// A peak rises above the valleys on either side by this factor (6 dB).
 inline constexpr double peak_prominence = 2;
-/// A peak that is found in the quarters of a recording at frequencies which differ by more than this share, and by more than the
-/// resolution, is not one resonance.
+/// A peak that is found in the quarters of a recording at frequencies which differ by more than this share,
+/// and by more than the resolution, is not one resonance.
 inline constexpr double largest_movement = 0.06;
 /// Fewer samples show nothing.
 inline constexpr std::size_t fewest_samples = 2048;
@@ -46,10 +46,10 @@ struct Identification {
   double doubtful_frequency = 0;  ///< Hz, of the largest peak that was not believed; 0: none
 };
 
-/// Looks between two frequencies.
+/// Searches between two frequencies.
 [[nodiscard]] Identification identify(MeasuredResponse const& measured, double lowest, double highest);
 
-/// The same for an input and an output that were sampled together; the four quarters of the recording must agree.
+/// Searches an input and an output that were sampled together; the four quarters of the recording must agree.
 [[nodiscard]] Identification identify(std::span<double const> in, std::span<double const> out,
                                       double sampling_rate, double lowest, double highest);
 

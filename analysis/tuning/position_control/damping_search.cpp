@@ -180,7 +180,7 @@ class Search {
     return found;
   }
 
-  /// Those that stay stable with each plant, also with twice the weights; the order stays.
+  /// Settings that stay stable with each plant, also with twice the weights, in their order.
   std::vector<Ranked> worst_cases(std::span<Ranked const> candidates, double limit) const {
     std::vector<PositionControl> controls;
     for (auto const& candidate : candidates) {

@@ -1,16 +1,17 @@
 // Which stages of Improved Position Control damp the resonances of an axis best.
 //
-// One stage for each resonance, one after the other in their order, as a control is commissioned: all settings of
-// stage_settings.hpp beside the stages that are chosen already, weights rising until the load swings more and more behind the
-// stop. A share is what is left of a resonance: its worst case over the plants with the function, divided by the worst case
-// without. Settings count
+// One stage for each resonance, one after the other in their order, as a control is commissioned: all
+// settings of stage_settings.hpp next to the stages chosen already, weights rising until the load swings more
+// and more after the stop. A share is what is left of a resonance: its worst case over the plants with the
+// function, divided by the worst case without. Settings count
 //  - that take away a quarter of the resonance with the plant itself,
 //  - that move the load on the task's circle by no more than the tolerance,
 //  - and keep stable with each plant, also with twice the weights (or 7, which the control allows at most).
-// Of those under which the sum of shares falls by half a share or more, the one that moves the load least wins; where there is
-// none, or the task wants the least vibration, the one with the smallest sum.
+// Of those under which the sum of shares falls by half a share or more, the one that moves the load least
+// wins; where there is none, or the task wants the least vibration, the one with the smallest sum.
 //
-// The winner has then been simulated as a whole, with teeth, limit and the rest behind the move: motion::simulate_loop.
+// The winner has then been simulated as a whole, with teeth, limit and the rest after the move:
+// motion::simulate_loop.
 #pragma once
 
 #include "analysis/tuning/position_control/loop_task.hpp"
@@ -25,7 +26,7 @@ namespace axisc::tuning {
 
 /// A stage has to take at least this share of the vibration away.
 inline constexpr double useful_share = 0.25;
-/// m/s²: what swings less needs no damping.
+/// m/s²: a smaller vibration needs no damping.
 inline constexpr double noticeable_swing = 0.02;
 /// More than this is not worth a larger shift of the load.
 inline constexpr double sufficient_share = 0.5;
@@ -42,7 +43,8 @@ struct Damping {
   machine::PositionControl control;
   std::vector<DampedResonance> resonances;
   double additive_velocity = 0;  ///< largest, µm/s, the plant itself
-  /// Largest distance of the load from where it is without function: so far is the axis out of step with those without it.
+  /// Largest distance of the load from where it is without function: by this much is the axis out of step
+  /// with axes without it.
   double shift = 0;                          ///< in the move, position units
   double circle = 0;                         ///< on the task's circle, position units
   double error_without = 0, error_with = 0;  ///< largest distance of the load from the setpoint

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double largest_weight = 7;
 
-/// So long that mechanics ring out, and the position loop settles.
+/// Long enough for the mechanics to ring out and for the position loop to settle.
 double ringing_seconds(double kv) {
   return std::clamp(10 / kv, 4.0, 60.0);
 }

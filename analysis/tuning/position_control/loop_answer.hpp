@@ -1,4 +1,5 @@
-// What an additive velocity does to a loop without function, over frequency. The plant has no teeth here: the loop is linear.
+// The effect of an additive velocity on a loop without function, over frequency. The plant has no teeth here:
+// the loop is linear.
 #pragma once
 
 #include "analysis/motion/plant.hpp"
@@ -28,14 +29,17 @@ class LoopAnswer {
  private:
   motion::PlantParameters plant_;
   double T_;
-  std::vector<motion::PlantMotion> motions_;  ///< behind an additive velocity of 1 m/s in the first cycle
+  std::vector<motion::PlantMotion> motions_;  ///< after an additive velocity of 1 m/s in the first cycle
 };
 
-/// Whether the loop resonates within `reach` (a share) of the frequency: the load's acceleration has a peak there.
+/// Whether the loop resonates within `reach` (a share) of the frequency: the load's acceleration has a peak
+/// there.
 [[nodiscard]] bool has_peak(LoopAnswer const& answer, double frequency, double reach);
 
-/// How far the function moves the load of an axis that goes to and fro like a sine of amplitude 1, for instance on a circle:
-///     v_add = -Σ G_i u_i / (1 + Σ G_i P_i),  G_i stage with its weight, u_i what it measures without function, P_i its answer.
+/// How far the function moves the load of an axis that goes to and fro like a sine of amplitude 1, for
+/// instance on a circle:
+///     v_add = -Σ G_i u_i / (1 + Σ G_i P_i),
+/// G_i being a stage with its weight, u_i the velocity that it measures without function, P_i its answer.
 [[nodiscard]] double shift_at(AnswerAt const& answer, double frequency,
                               machine::PositionControl const& control, design::CycleTime cycle_time);
 

@@ -54,7 +54,7 @@ double swing(LoadAccelerations const& load, double cycle_seconds, Resonance cons
   double largest = 0;
   for (auto const& record : {load.travel, load.rest}) {
     if (record.empty()) continue;
-    // A quarter of what the window tells apart: no peak is missed by more than 1 %.
+    // A quarter of the window's resolution: no peak is missed by more than 1 %.
     double const step = 0.25 / (static_cast<double>(record.size()) * cycle_seconds);
     auto const steps = static_cast<int>(std::ceil(reach / step));
     for (int i = -steps; i <= steps; ++i) {

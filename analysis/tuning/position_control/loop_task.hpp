@@ -1,7 +1,8 @@
-// An axis in its position loop whose mechanics swing: what Improved Position Control could damp there.
+// An axis in its position loop whose mechanics vibrate: a task for Improved Position Control.
 //
-// The axis moves as the planner lets it, travels for half a second, and stops. How much a resonance swings is the largest
-// amplitude of the load's acceleration around its frequency, while travelling or in the half second behind the stop.
+// The axis moves as the planner lets it, travels for half a second, and stops. How much a resonance swings is
+// the largest amplitude of the load's acceleration around its frequency, while travelling or in the half
+// second after the stop.
 #pragma once
 
 #include "analysis/motion/closed_loop.hpp"
@@ -31,17 +32,19 @@ struct LoopTask {
 
 [[nodiscard]] motion::AxisMove move_of(LoopTask const& task);
 
-/// Shares of a resonance's frequency within which it is looked for: frequency_tolerance, or twice the uncertainty where that is
-/// more.
+/// Shares of a resonance's frequency within which it is looked for: frequency_tolerance, or twice the
+/// uncertainty where that is more.
 [[nodiscard]] double reach_of(Resonance const& resonance);
 
-/// The plant itself, and with all natural frequencies lower and higher by the largest reach: masses and positions change.
+/// The plant itself, and with all natural frequencies lower and higher by the largest reach: masses and
+/// positions change.
 [[nodiscard]] std::vector<motion::PlantParameters> plants_of(LoopTask const& task);
 
-/// Cycles of the way there and of the half second behind it: what counts. The rest shows whether the loop diverges.
+/// Cycles of the way there and of the half second after it, which count. The rest shows whether the loop
+/// diverges.
 [[nodiscard]] std::size_t counted_cycles(motion::LoopRecord const& record);
 
-/// Accelerations in m/s² while travelling and at rest after it; the answer too.
+/// Accelerations in m/s² while travelling and at rest after it; so is the answer.
 struct LoadAccelerations {
   std::span<double const> travel, rest;
 };

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double um_per_m = 1e6;
 constexpr double units_per_m = 1e7;
-/// m/s²: what is left behind a motion and grows no further is no oscillation.
+/// m/s²: a smaller acceleration after a motion that does not grow is not an oscillation.
 constexpr double still = 0.005;
 /// m/s²: no machine survives it.
 constexpr double violent = 1e3;
-/// µm/s, far beyond what acts in a loop that is not lost.
+/// µm/s, far beyond any velocity in a loop that is not lost.
 constexpr double no_limit = 1e15;
 /// Settings that one image holds.
 constexpr std::size_t batch = 256;

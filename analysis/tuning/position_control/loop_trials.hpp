@@ -1,7 +1,8 @@
 // Many settings of Improved Position Control tried in one loop.
 //
-// The loop is linear but for the teeth: what an additive velocity adds to the motion is the same whatever else moves. So the
-// move is simulated once without function, and for each setting only what the function adds, on a plant without teeth:
+// Apart from the teeth, the loop is linear: what an additive velocity adds to the motion is the same whatever
+// else moves. So the move is simulated once without function, and for each setting only what the function
+// adds, on a plant without teeth:
 //     v = -Kv x + v_add,   v_add = stages(velocities of the move + velocities of what is added).
 // The runtime executes the stages. The limit of the additive velocity (P-AXIS-00757) does not act here.
 #pragma once
@@ -15,7 +16,8 @@
 namespace axisc::tuning {
 
 struct Trial {
-  /// Behind the stop the load swings more towards the end of the half second than in its middle; swings are not computed then.
+  /// After the stop the load swings more towards the end of the half second than in its middle; swings are
+  /// not computed then.
   bool grows = false;
   std::vector<double> swings;  ///< m/s², by resonance
   double shift = 0;  ///< largest distance of the load from where it is without function, position units

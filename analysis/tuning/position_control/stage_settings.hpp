@@ -1,8 +1,9 @@
 // Every stage of Improved Position Control that could damp a resonance.
 //
-// Modes DIRECT, INDIRECT and SET_POINT; band-passes of order 1 to 3 and quality 1, 2, 5 and 10 at 0.9, 0.95, 1, 1.05 and 1.1
-// times the resonance; oscillators with a damping of 0.2, 0.4 and 0.8; weights from 0.11 to 7, each √2 times the one before.
-// INDIRECT and SET_POINT only where their dead time shifts the phase by 45° at most (AX3036).
+// Modes DIRECT, INDIRECT and SET_POINT; band-passes of order 1 to 3 and quality 1, 2, 5 and 10 at 0.9, 0.95,
+// 1, 1.05 and 1.1 times the resonance; oscillators with a damping of 0.2, 0.4 and 0.8; weights from 0.11 to
+// 7, each √2 times the one before. INDIRECT and SET_POINT only where their dead time shifts the phase by 45°
+// at most (AX3036).
 #pragma once
 
 #include "configuration/machine/machine.hpp"

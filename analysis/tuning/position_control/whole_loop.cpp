@@ -11,7 +11,7 @@ namespace {
 using machine::PositionControl;
 
 constexpr double largest_weight = 7;
-/// What P-AXIS-00757 allows.
+/// The largest limit that P-AXIS-00757 allows.
 constexpr double highest_limit = 2000;
 
 double swing_of(motion::LoopRecord const& record, double cycle_seconds, Resonance const& resonance) {

@@ -28,7 +28,8 @@ constexpr std::uint32_t band_stop_orders = 3;
 constexpr int cut_offs = 16;
 constexpr double lowest_cut_off = 0.15;  ///< as shares of the lowest resonance
 constexpr double highest_cut_off = 2;
-/// Of half the sampling rate: above it the bilinear transform makes critically damped filters overshoot.
+/// As a share of half the sampling rate: above it the bilinear transform makes critically damped filters
+/// overshoot.
 constexpr double highest_low_pass = 0.2;
 
 /// Lists show a tenth of a hertz.
@@ -147,7 +148,7 @@ class Enumerator {
  private:
   static constexpr std::size_t most_filters = 3;
 
-  /// As the control computes them, without those that it cannot.
+  /// Chains as the control computes them, without those that it cannot.
   [[nodiscard]] std::vector<Part> parts(std::vector<Chain> chains) const {
     if (task_.readings != design::Readings{}) {
       std::erase_if(chains, [this](Chain& chain) { return !read(chain); });
@@ -185,7 +186,7 @@ class Enumerator {
            (!kind.computes_order || kernel.frequency >= design::lowest_novib_frequency(computed_for));
   }
 
-  /// Of wide kernels some are as good as all: a step changes the width by 3 % or less.
+  /// Some of the wide kernels are as good as all: a step changes the width by 3 % or less.
   static bool is_cascaded(std::uint32_t half_width) {
     constexpr std::uint32_t all_below = 32;
     return half_width % (1 + half_width / all_below) == 0;
@@ -228,7 +229,7 @@ class Enumerator {
             .gain = first.gain * second.gain};
   }
 
-  /// Most chains deviate too much: that is seen without their response.
+  /// Most chains deviate too much, which shows without their response.
   bool is_possible(std::complex<double> on_circle, double delay) {
     ++found_.looked_at;
     return task_.radius * std::abs(1 - std::abs(on_circle)) <= task_.tolerance && delay <= longest_;

@@ -1,14 +1,16 @@
 // Every chain that the control could have for a task, estimated. There are few enough to look at all of them.
 //
-// Kernels: moving average and Gaussian (quality 1, 0.8, 0.6) of every half width, windowed sinc of every half width with
-// cut-offs from a third to the whole of each resonance, HSC mean, and NoVib on and 5 or 10 % beside each resonance.
-// Standard filters: critically damped low-passes of order 1 to 6 with cut-offs from 0.15 to 2 times the lowest resonance,
-// and band-stops on each resonance, with every prototype, orders 1 to 3 and qualities from 1 to 10.
-// Cascades: two low-passes; band-stops on several resonances; any of these before a moving average or a Gaussian kernel
-// (of half widths from 32 on every second, from 64 on every third).
+// Kernels: moving average and Gaussian (quality 1, 0.8, 0.6) of every half width, windowed sinc of every half
+// width with cut-offs from a third to the whole of each resonance, HSC mean, and NoVib on each resonance
+// and 5 or 10 % away from it.
+// Standard filters: critically damped low-passes of order 1 to 6 with cut-offs from 0.15 to 2 times the
+// lowest resonance, and band-stops on each resonance, with every prototype, orders 1 to 3 and qualities from
+// 1 to 10.
+// Cascades: two low-passes; band-stops on several resonances; any of these before a moving average or a
+// Gaussian kernel (of half widths from 32 on every second, from 64 on every third).
 //
-// Chains that deviate on the circle by more than the tolerance, or delay by more than longest_delay, are counted and left
-// out.
+// Chains that deviate on the circle by more than the tolerance, or delay by more than longest_delay, are
+// counted and left out.
 #pragma once
 
 #include "analysis/tuning/suggestion/judgement.hpp"
@@ -27,7 +29,8 @@ inline constexpr double longest_delay = 0.1;
 struct Candidate {
   Chain chain;
   Figures figures;  ///< Judge::estimate(), once settled Judge::figures()
-  /// Lists may set it without a finding: no band-stop, no overshoot, a kernel of the family that the control has.
+  /// Lists may set it without a finding: no band-stop, no overshoot, a kernel of the family that the control
+  /// has.
   bool is_clean = true;
   bool is_settled = false;
   std::shared_ptr<ImpulseResponse const> first = {},

@@ -17,7 +17,7 @@ double price(Figures const& figures, std::optional<Goal> goal) {
   return goal == Goal::speed ? figures.delay : figures.corner;
 }
 
-/// The cheapest clean one, or one that is not, of those that leave at most `limit`; settled. Of equals the first.
+/// The cheapest candidate, clean or not, of those that leave at most `limit`; settled. Of equals the first.
 template <class Price>
 Candidate* cheapest(std::span<Candidate> candidates, Judge const& judge, bool is_clean, double limit,
                     Price const& price_of) {

@@ -1,11 +1,11 @@
 // How much a resonance swings after the planner's ramp from rest to a velocity has passed a chain.
 //
-// A mass on a spring rides on the axis,  x'' + 2 D ω x' + ω² x = -s'',  x its position relative to the axis. Setpoints are
-// joined by straight lines: in each cycle the velocity jumps by  a[n] = s[n+1] - 2 s[n] + s[n-1],  and with
-// p = e^((-D ω + j ω_d) T)  the oscillation is
+// A mass on a spring rides on the axis,  x'' + 2 D ω x' + ω² x = -s'',  x its position relative to the axis.
+// Setpoints are joined by straight lines: in each cycle the velocity jumps by  a[n] = s[n+1] - 2 s[n] +
+// s[n-1],  and with p = e^((-D ω + j ω_d) T)  the oscillation is
 //     q[n] = p q[n-1] + a[n],  |x| ≤ |q| / (ω_d T).
-// It counts from the moment at which the axis would rest if the chain were symmetrical: twice its delay after the ramp. A
-// chain that is not done then pays for what follows.
+// It counts from the moment at which the axis would rest if the chain were symmetrical: twice its delay after
+// the ramp. A chain that is not done then pays for what follows.
 #pragma once
 
 #include "analysis/tuning/suggestion/impulse_response.hpp"
@@ -23,9 +23,9 @@ inline constexpr double highest_damping = 0.2;
 inline constexpr double negligible_vibration = 1e-6;
 
 struct Vibration {
-  /// Largest amplitude over the frequencies within frequency_tolerance, or twice the uncertainty where that is more, and over
-  /// lowest_damping to highest_damping, as a share of the largest without filters. Too small by at most a 10,000th of itself and
-  /// negligible_vibration.
+  /// Largest amplitude over the frequencies within frequency_tolerance, or twice the uncertainty where that
+  /// is more, and over lowest_damping to highest_damping, as a share of the largest without filters. Too
+  /// small by at most a 10,000th of itself and negligible_vibration.
   double worst = 1;
   double amplitude = 0;   ///< at the frequency itself with the known damping, else the lowest; position units
   double unfiltered = 0;  ///< the same without filters

@@ -15,7 +15,7 @@ namespace axisc::tuning {
 namespace {
 
 constexpr std::size_t longest_response = std::size_t{1} << 17U;
-/// Longer than any kernel: so long nothing changes only where nothing follows.
+/// Longer than any kernel: if nothing changes for this long, nothing follows.
 constexpr std::size_t settled_cycles = 256;
 constexpr double settled_within = 1e-13;
 constexpr double negligible = 1e-9;

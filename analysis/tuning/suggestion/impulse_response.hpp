@@ -1,4 +1,4 @@
-// What the runtime makes of an impulse: everything that a linear chain can be judged by.
+// The runtime's answer to an impulse: all that is needed to judge a linear chain.
 #pragma once
 
 #include "analysis/tuning/suggestion/task.hpp"

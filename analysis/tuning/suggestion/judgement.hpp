@@ -11,8 +11,8 @@ namespace axisc::tuning {
 struct Figures {
   double delay = 0;      ///< at 0 Hz, cycles
   double overshoot = 0;  ///< of a step, as a share
-  /// Contour deviation at a corner of 90° (see motion::predict_corner()) for a path of one unit per cycle: times the velocity it
-  /// is a length.
+  /// Contour deviation at a corner of 90° (see motion::predict_corner()) for a path of one unit per cycle;
+  /// multiplied by the velocity, a length.
   double corner = 0;
   double circle = 0;     ///< deviation on the task's circle at its velocity, position units
   double vibration = 1;  ///< the worst of the resonances
@@ -28,7 +28,7 @@ class Judge {
   explicit Judge(Task const& task) : task_(task), excitation_(task) {}
 
   [[nodiscard]] Figures figures(ImpulseResponse const& chain) const;
-  /// The same quickly, but corner and vibration are at least what is said, and single resonances are left out.
+  /// A quick estimate: corner and vibration are lower bounds, and single resonances are left out.
   [[nodiscard]] Figures estimate(ImpulseResponse const& chain) const;
 
  private:

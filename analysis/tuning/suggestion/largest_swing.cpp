@@ -54,14 +54,15 @@ double curvature_bound(Drive const& drive, double radius) {
   return largest;
 }
 
-/// Squares, at their largest over the cycles that count: of q in the middle, of q + q' ds at both ends, of q'.
+/// Squares, at their largest over the cycles that count: of q in the middle, of q + q' ds at both ends, of
+/// q'.
 struct Squares {
   std::array<double, lanes> middle{}, low{}, high{}, slope{};
 };
 
 class Pass {
  public:
-  /// Of up to `lanes` intervals.
+  /// One pass for up to `lanes` intervals.
   Pass(Drive const& drive, Interval const* intervals, std::size_t count) {
     std::array<double, lanes> pr{}, pi{}, hr{}, hi{};
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -122,7 +123,7 @@ class Pass {
   Squares squares_;
 };
 
-/// Of a ray in the plane of s.
+/// The angle of a ray in the plane of s.
 double angle_of(double damping) {
   return std::numbers::pi / 2 + std::asin(damping);
 }

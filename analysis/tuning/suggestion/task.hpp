@@ -1,4 +1,4 @@
-// What a filter shall do for an axis: which resonances it must not excite, and how far the contour may deviate.
+// The task of a filter for an axis: which resonances it must not excite, and how far the contour may deviate.
 #pragma once
 
 #include "configuration/machine/machine.hpp"
@@ -18,7 +18,7 @@ struct Resonance {
   double uncertainty = 0;           ///< of the frequency, Hz
 };
 
-/// What counts: the surface little vibration, accuracy little deviation, speed a short delay.
+/// The goal: surface asks for little vibration, accuracy for little deviation, speed for a short delay.
 enum class Goal : std::uint8_t { surface, accuracy, speed };
 
 /// Lengths are position units, velocities units per cycle.
@@ -30,9 +30,9 @@ struct Task {
   double tolerance = 0;     ///< of the axis error
   double radius = 0;        ///< of a circle on which the velocity keeps the tolerance
   std::optional<Goal> goal = std::nullopt;
-  /// HSC: the control's build knows no FIR filters.
+  /// HSC: the control's build does not have FIR filters.
   machine::KernelFamily family = machine::KernelFamily::fir;
-  design::Readings readings{};  ///< of the control: what it makes of its filters
+  design::Readings readings{};  ///< how the control computes its filters
 };
 
 /// A setpoint chain: standard filters one after the other, then a kernel.

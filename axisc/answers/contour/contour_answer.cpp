@@ -86,7 +86,8 @@ Table table_of(GroupContour const& group, ContourRequest const& wanted) {
   return table;
 }
 
-/// For programs: the table's first case, the corner's figures as direct members, the others as objects by name.
+/// For programs: the table's first case, the corner's figures as direct members, the others as objects by
+/// name.
 void add_first_case(std::vector<Block>& blocks, Table const& table) {
   constexpr std::size_t shape = 2;
   auto const& first = table.rows.front();

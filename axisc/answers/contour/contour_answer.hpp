@@ -20,8 +20,8 @@ struct ContourQuestion {
   Language language = Language::english;  ///< of what a Failure quotes
 };
 
-/// `remark`, if any, takes what is noteworthy: a feed that an axis cannot reach. Failure for a group that is not there, for
-/// one whose axes cannot follow a path, and for a command that is none.
+/// `remark`, if any, takes what is noteworthy: a feed that an axis cannot reach. Failure for a group that is
+/// not there, for one whose axes cannot follow a path, and for a command that is none.
 [[nodiscard]] presentation::Document contour_answer(ContourQuestion const& question,
                                                     machine::Machine const& machine,
                                                     std::function<void(Message const&)> const& remark);

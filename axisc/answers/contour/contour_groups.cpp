@@ -18,8 +18,8 @@ bool synchronous(std::vector<motion::ChainAnswer> const& answers) {
   });
 }
 
-/// The largest order that keeps the tolerance at the first feed: all of them are tried, because the width of the windowed
-/// sinc follows its cut-off frequency and not its order.
+/// The largest order that keeps the tolerance at the first feed: all of them are tried, because the width of
+/// the windowed sinc follows its cut-off frequency and not its order.
 std::optional<std::uint32_t> allowed_order(GroupChains& chains, std::uint32_t highest, double velocity,
                                            double turn, double tolerance) {
   for (std::uint32_t order = highest; order > 0; --order) {

@@ -138,7 +138,7 @@ validator::EffectiveValues const& values_of(ComparedMachine& side, image::ImageA
   list.source = source;
   list.catalogue = catalogue;
   list.tree = std::move(read.tree);
-  list.readings = std::move(read.readings);
+  list.line_values = std::move(read.line_values);
   return side.merged.emplace_back(validator::merge_lists(nullptr, list, std::nullopt)).values;
 }
 

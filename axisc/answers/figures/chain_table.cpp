@@ -67,10 +67,9 @@ std::vector<double> frequencies_of(PlotSubject const& subject, std::size_t axis,
   return frequencies;
 }
 
-/// By axis; the runtime executes the image once for all of them.
-std::map<std::size_t, image::ChainFigures> figures_of(PlottedImage const& image,
-                                                      std::vector<std::size_t> const& axes) {
-  auto const figures = image::chain_figures(image.file.bytes.bytes(), image.contents(), axes);
+std::map<std::size_t, image::ChainFigures> figures_by_axis(PlottedImage const& image,
+                                                           std::vector<std::size_t> const& axes) {
+  auto const figures = figures_of(image, axes);
   std::map<std::size_t, image::ChainFigures> by_axis;
   for (std::size_t i = 0; i < axes.size(); ++i) by_axis.emplace(axes[i], figures[i]);
   return by_axis;
@@ -88,13 +87,13 @@ pictures::Table chain_table(PlotSubject const& subject, std::vector<double> cons
   } else {
     table.header.push_back(subject.say(says::table_value));
   }
-  auto const figures = figures_of(subject.now, subject.axes);
+  auto const figures = figures_by_axis(subject.now, subject.axes);
   std::vector<std::size_t> old_axes;
   for (auto const axis : subject.axes) {
     if (auto const old = subject.axis_before(axis)) old_axes.push_back(*old);
   }
-  auto const old_figures =
-      subject.before ? figures_of(*subject.before, old_axes) : std::map<std::size_t, image::ChainFigures>();
+  auto const old_figures = subject.before ? figures_by_axis(*subject.before, old_axes)
+                                          : std::map<std::size_t, image::ChainFigures>();
   auto const cell = [&](std::optional<double> const& value) {
     return value ? format_rounded(*value, table_digits).in(subject.language) : "-";
   };

@@ -36,6 +36,13 @@ std::optional<std::size_t> PlotSubject::axis_before(std::size_t axis) const {
   return std::nullopt;
 }
 
+std::vector<image::ChainFigures> figures_of(PlottedImage const& image, std::vector<std::size_t> const& axes) {
+  if (image.steps == nullptr) return image::chain_figures(image.file.bytes.bytes(), image.contents(), axes);
+  std::vector<image::ChainFigures> figures;
+  for (auto const axis : axes) figures.push_back(image.steps->figures(axis));
+  return figures;
+}
+
 std::string filter_label(image::ImageFilter const& filter, Language language) {
   auto const& wanted = filter.specification;
   std::string text = "filter[" + std::to_string(filter.index) + "] " + std::string(type_word(wanted.type));

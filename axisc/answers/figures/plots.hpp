@@ -6,6 +6,7 @@
 #include "axisc/answers/figures/measured_response.hpp"
 #include "axisc/files/image_file.hpp"
 #include "diagnostics/message.hpp"
+#include "image/step_answers.hpp"
 #include "presentation/pictures/figure.hpp"
 
 #include <cstddef>
@@ -19,6 +20,8 @@ namespace axisc {
 struct PlottedImage {
   ImageFile const& file;
   image::RuntimeHost& host;
+  image::StepAnswers* steps =
+      nullptr;  ///< where several figures show this image, as it starts; null: none kept
 
   [[nodiscard]] image::ImageContents const& contents() const { return file.contents; }
 };
@@ -47,6 +50,10 @@ struct PlotSubject {
   /// The axis of `before` that has the name of an axis of `now`.
   [[nodiscard]] std::optional<std::size_t> axis_before(std::size_t axis) const;
 };
+
+/// Of some axes of an image, as it starts.
+[[nodiscard]] std::vector<image::ChainFigures> figures_of(PlottedImage const& image,
+                                                          std::vector<std::size_t> const& axes);
 
 struct ResponsePlot {
   bool linear_frequency = false;

@@ -135,7 +135,7 @@ class StepFigure {
     auto const indices = chains_of(image);
     std::vector<std::size_t> axes;
     for (auto const i : indices) axes.push_back(chains_[i].axis);
-    auto const figures = image::chain_figures(image.file.bytes.bytes(), image.contents(), axes);
+    auto const figures = figures_of(image, axes);
     for (std::size_t i = 0; i < indices.size(); ++i) chains_[indices[i]].figures = figures[i];
   }
 
@@ -166,11 +166,18 @@ class StepFigure {
   void execute(PlottedImage const& image, double milliseconds, std::vector<Signal>& signals) const {
     auto const indices = chains_of(image);
     if (indices.empty()) return;
+    double const cycle = image.contents().cycle_time.seconds() * 1e3;
+    auto const cycles = static_cast<std::uint64_t>(std::ceil(milliseconds / cycle));
+    if (image.steps != nullptr) {
+      for (auto const i : indices) {
+        auto const answer = image.steps->answer(chains_[i].axis, cycles);
+        signals[i].insert(signals[i].end(), answer.begin(), answer.end());
+      }
+      return;
+    }
     static_cast<void>(image.host.reset_all(0));
     std::vector<double> const setpoints(image.contents().axes.size(), 1);
     std::vector<double> filtered(setpoints.size());
-    double const cycle = image.contents().cycle_time.seconds() * 1e3;
-    auto const cycles = static_cast<std::uint64_t>(std::ceil(milliseconds / cycle));
     for (std::uint64_t n = 0; n < cycles; ++n) {
       static_cast<void>(image.host.step(setpoints, filtered));
       for (auto const i : indices) signals[i].push_back(filtered[chains_[i].axis]);

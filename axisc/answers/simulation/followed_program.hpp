@@ -30,8 +30,8 @@ struct ProgramRequest {
 /// Takes what is wrong with a program, or not followed in it.
 using TakeProblem = std::function<void(Finding const& problem, SourceSet const& sources)>;
 
-/// Reads the program once without moving anything and adds what its #FILTER commands need to the group's filter_sets.
-/// False after mistakes.
+/// Reads the program once without moving anything and adds what its #FILTER commands need to the group's
+/// filter_sets. False after mistakes.
 [[nodiscard]] bool survey_program(ProgramLines& program, ProgramRequest const& request,
                                   machine::Machine& machine, std::size_t group, TakeProblem const& take);
 

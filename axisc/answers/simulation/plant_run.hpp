@@ -22,7 +22,8 @@ struct PlantRequest {
 struct PhaseOscillation {
   motion::MovePhase phase = motion::MovePhase::travel;
   motion::Oscillation without;
-  /// Amplitude with the function, m/s²: the same frequency in the same window. None where the loop was lost before.
+  /// Amplitude with the function, m/s²: the same frequency in the same window. None where the loop was lost
+  /// before.
   std::optional<double> with;
 };
 
@@ -45,8 +46,8 @@ struct PlantRun {
   double cycle_seconds = 0;
 };
 
-/// `searches_kv`: also finds the highest Kv, which takes most of the time. Failure for a move or a plant file that cannot
-/// be used.
+/// `searches_kv`: also finds the highest Kv, which takes most of the time. Failure for a move or a plant file
+/// that cannot be used.
 [[nodiscard]] PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked,
                                  bool searches_kv);
 

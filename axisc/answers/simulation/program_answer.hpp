@@ -9,8 +9,8 @@
 
 namespace axisc {
 
-/// Blocks and passes as they end. The first of them are kept, the others only counted: memory does not grow with the
-/// program.
+/// Blocks and passes as they end. The first of them are kept, the others only counted: memory does not grow
+/// with the program.
 class ProgramSummary {
  public:
   /// The path outlives this.
@@ -39,8 +39,8 @@ struct SimulatedProgram {
   std::vector<motion::PassSummary> exceeded;  ///< passes that do not keep their tolerance
 };
 
-/// Follows a program that survey_program() accepted; `rows` get every cycle. Failure where the runtime refuses a step or a
-/// command.
+/// Follows a program that survey_program() accepted; `rows` get every cycle. Failure where the runtime
+/// refuses a step or a command.
 [[nodiscard]] SimulatedProgram simulate_answer(ProgramLines& program, ProgramRequest const& request,
                                                machine::Machine const& machine, std::size_t group,
                                                SimulatedPath const& path,

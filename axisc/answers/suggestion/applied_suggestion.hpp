@@ -19,12 +19,13 @@ struct ChosenSuggestion {
 /// The number in `--apply N`; Failure for another word, and for 4 without a plant.
 [[nodiscard]] std::size_t suggestion_number(std::string const& word, bool has_plant);
 
-/// Refers to `suggested`. Failure where there is none, where the lists would have findings or cannot be edited, or where
-/// one lies outside what the user named.
+/// Refers to `suggested`. Failure where there is none, where the lists would have findings or cannot be
+/// edited, or where one lies outside what the user named.
 [[nodiscard]] ChosenSuggestion chosen_suggestion(Suggested const& suggested, std::size_t number,
                                                  std::string const& named);
 
-/// Every list or none: what was written is taken back where a later one cannot be. What there is to say of it.
+/// Every list or none: what was written is taken back where a later one cannot be. What there is to say of
+/// it.
 [[nodiscard]] std::vector<Message> write_lists(ListEdits const& edits);
 /// The same where nothing is written: that there is nothing to write.
 [[nodiscard]] std::vector<Message> notes_of(ListEdits const& edits);

@@ -13,8 +13,8 @@
 
 namespace axisc {
 
-/// The lines of one axis: those of the chain, and those that switch off what the axis has now or reset what the new filters
-/// do not use.
+/// The lines of one axis: those of the chain, and those that switch off what the axis has now or reset what
+/// the new filters do not use.
 struct AxisLines {
   std::string axis;
   std::string list;  ///< as the machine names it
@@ -24,8 +24,8 @@ struct AxisLines {
 [[nodiscard]] AxisLines lines_of(validator::LoadedMachine const& machine, std::size_t axis,
                                  tuning::Chain const& chain, machine::KernelFamily family);
 
-/// Lists with their new bytes: values are replaced where they stand, missing lines follow the last line of their filter, or come
-/// at the end. Everything else is as it was.
+/// Lists with their new bytes: values are replaced where they stand, missing lines follow the last line of
+/// their filter, or come at the end. Everything else is as it was.
 struct ListEdits {
   EditedBytes original, edited;
   std::optional<std::string>

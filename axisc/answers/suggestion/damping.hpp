@@ -1,6 +1,7 @@
 // `axisc suggest --plant`: what Improved Position Control can do for the vibrating axis.
 //
-// It acts within the position loop of that axis alone: the setpoints of the others stay as they are, and so do their lists.
+// It acts within the position loop of that axis alone: the setpoints of the others stay as they are, and so
+// do their lists.
 #pragma once
 
 #include "analysis/tuning/position_control/damping_search.hpp"

@@ -9,8 +9,8 @@
 
 namespace axisc {
 
-/// "48Hz", "48:0.03,112Hz": frequencies, each perhaps with its damping ratio; one to three. Failure for anything else, and for a
-/// frequency that is not below 0.5/T.
+/// "48Hz", "48:0.03,112Hz": frequencies, each perhaps with its damping ratio; one to three. Failure for
+/// anything else, and for a frequency that is not below 0.5/T.
 [[nodiscard]] std::vector<tuning::Resonance> read_resonances(std::string const& words,
                                                              design::CycleTime cycle_time);
 

@@ -16,8 +16,8 @@ namespace axisc {
 /// Which of the filters `index` is, and its NC command.
 [[nodiscard]] presentation::Document chosen_answer(Suggestion const& suggestion, std::size_t index);
 
-/// "2 balanced, 3 least vibration": every sense that an alternative stands for, with its number; `mark` follows the one that
-/// is recommended.
+/// "2 balanced, 3 least vibration": every sense that an alternative stands for, with its number; `mark`
+/// follows the one that is recommended.
 [[nodiscard]] Wording senses_of(Suggestion const& suggestion, std::size_t index, Wording const& mark = {});
 
 /// "48 Hz, 112 Hz".
@@ -44,8 +44,8 @@ namespace axisc {
 /// The number and the setting, of an answer that has one.
 [[nodiscard]] presentation::Words damping_name(tuning::Damping const& damping);
 
-/// The lines of each axis, and the findings that the lists would have then. People see axes that get the same lines
-/// together.
+/// The lines of each axis, and the findings that the lists would have then. People see axes that get the same
+/// lines together.
 void add_lines(std::vector<presentation::Block>& blocks, std::vector<AxisLines> const& axes,
                std::vector<std::string> const& findings);
 

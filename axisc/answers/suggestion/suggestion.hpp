@@ -16,7 +16,8 @@
 
 namespace axisc {
 
-/// A setting of the group's axes. Lengths are position units, feeds mm/min, none where any keeps the tolerance.
+/// A setting of the group's axes. Lengths are position units, feeds mm/min, none where any keeps the
+/// tolerance.
 struct Setting {
   tuning::Chain chain;
   tuning::Figures figures;
@@ -66,8 +67,8 @@ struct SuggestionSubject {
 /// The group's axes, then gantry slaves that follow one of them.
 [[nodiscard]] std::vector<std::size_t> concerned_axes(SuggestionSubject const& subject);
 
-/// None where nothing the control has helps: then `looked_at` and `keeps` say how many settings there are, and how many keep the
-/// tolerance on the circle.
+/// None where nothing the control has helps: then `looked_at` and `keeps` say how many settings there are,
+/// and how many keep the tolerance on the circle.
 struct NoSuggestion {
   std::size_t looked_at = 0, keeps = 0;
   double least_vibration = 1;  ///< of those that keep it

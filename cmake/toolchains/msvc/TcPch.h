@@ -1,4 +1,5 @@
-// What the example of a TcCOM module in docs/runtime.md names of TwinCAT's headers, just enough to compile it.
+// The parts of TwinCAT's headers that the example of a TcCOM module in docs/runtime.md uses, just enough to
+// compile it.
 #pragma once
 
 #include <stddef.h>

@@ -1,4 +1,4 @@
-// Included before every source: first the headers that may use what only Clang has, then nothing may any more.
+// Included before every source: first the headers that may use what only Clang has, then pragmas against it.
 #pragma once
 
 #include <bit>

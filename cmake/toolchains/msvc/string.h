@@ -1,4 +1,4 @@
-/* What the runtime takes from this header of the C library. */
+/* The functions that the runtime needs from this header of the C library. */
 #pragma once
 
 #include <stddef.h>

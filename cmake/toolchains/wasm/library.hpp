@@ -1,5 +1,5 @@
-// What the C++ library of Debian's emscripten (LLVM 13) lacks and this project uses. Included before every source of that
-// build, and of no other.
+// The parts of C++20 that the C++ library of Debian's emscripten (LLVM 13) lacks and this project uses.
+// Included before every source of that build, and of no other.
 #pragma once
 
 #if defined(__cplusplus) && __cplusplus >= 202002L

@@ -38,8 +38,9 @@ std::vector<double> weighted(std::vector<double> const& values, std::vector<doub
   return sums;
 }
 
-/// A Butterworth low-pass of order 2 by the bilinear transform without pre-warping: s = 2/T (1 - z^-1)/(1 + z^-1), and with
-/// c = π f T   y (1 + √2 c + c²) = c² (x + 2 x[-1] + x[-2]) - 2 (c² - 1) y[-1] - (1 - √2 c + c²) y[-2].
+/// A Butterworth low-pass of order 2 by the bilinear transform without pre-warping: s = 2/T (1 - z^-1)/(1 +
+/// z^-1), and with c = π f T   y (1 + √2 c + c²) = c² (x + 2 x[-1] + x[-2]) - 2 (c² - 1) y[-1] - (1 - √2 c +
+/// c²) y[-2].
 std::vector<double> not_prewarped(std::vector<double> const& values, double frequency) {
   double const c = std::numbers::pi * frequency * cycle_time.seconds();
   double const root = std::numbers::sqrt2 * c;

@@ -14,7 +14,7 @@ namespace {
 constexpr design::CycleTime cycle_time{1'000'000};
 
 Recording stored(std::string const& name) {
-  auto const path = std::string(AXISC_SOURCE_DIR "/tests/comparison/data/") + name + ".csv";
+  auto const path = std::string(AXISC_SOURCE_DIR "/tests/analysis/comparison/data/") + name + ".csv";
   auto recorded = read_recorded_columns(path, open_source(path), {}, cycle_time);
   CHECK(recorded.input_name == "setpoint");
   CHECK(recorded.output_name == "filtered");
@@ -105,7 +105,8 @@ TEST_CASE("a control that computes what axisc does is the same but for the offse
 }
 
 TEST_CASE("a filter that is nearly a delay does not hide that filters are off") {
-  // The forward Euler method puts its three poles at 0.055: an answer that rises within two cycles, three cycles late.
+  // The forward Euler method puts its three poles at 0.055: an answer that rises within two cycles, three
+  // cycles late.
   auto configured = lowpass(3, 76.7);
   configured.filters.front().prototype = design::Prototype::critical_damping;
   auto const all = readings(configured);

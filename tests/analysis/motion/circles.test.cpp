@@ -52,7 +52,8 @@ TEST_CASE("a quarter, a full circle and a helix are as long as they are") {
 }
 
 TEST_CASE("a circle by its radius: the shorter arc, or below 0 the longer one") {
-  // From (0, 0) to (10, 0) about r = 10: the chord is the radius, so that the shorter arc is 60°, the longer 300°.
+  // From (0, 0) to (10, 0) about r = 10: the chord is the radius, so that the shorter arc is 60°, the longer
+  // 300°.
   CHECK(run(0, "G02 X10 R10 F600\n", constant_velocity).blocks.at(0).cycles == Approx(pi / 3 * 10 / 0.01));
   CHECK(run(0, "G02 X10 R-10 F600\n", constant_velocity).blocks.at(0).cycles ==
         Approx(5 * pi / 3 * 10 / 0.01));
@@ -113,8 +114,8 @@ TEST_CASE("the deviation on a circle is r (1 - A), half of it where a line becom
   //     A = sin(41 θ/2) / (41 sin(θ/2)) = 0.97216,  r (1 - A) = 1392.
   // At the tangent half of its taps lie on the line. The filtered point that belongs to it is
   //     x = Σ_{k=1..20} (r sin kθ - k v) / 41 = -71.4,  y = Σ r (1 - cos kθ) / 41 = 694.1
-  // and the filtered path has turned by s = y' / x' there, with y' = Σ sin kθ, x' = 21 + Σ cos kθ: the tangent is
-  // (y - s x) / √(1 + s²) = 697.8 away from it.
+  // and the filtered path has turned by s = y' / x' there, with y' = Σ sin kθ, x' = 21 + Σ cos kθ: the
+  // tangent is (y - s x) / √(1 + s²) = 697.8 away from it.
   auto const found = run(40, "G01 X30 F6000\nG03 X30 Y0 J5\n", constant_velocity);
   REQUIRE(found.blocks.size() == 2);
   double const gain = std::sin(0.41) / (41 * std::sin(0.01));
@@ -134,8 +135,8 @@ TEST_CASE("the deviation on a circle is r (1 - A), half of it where a line becom
 }
 
 TEST_CASE("a circle that begins across a line has the deviation of a corner") {
-  // The line ends on a cycle. The taps of the filtered point that belongs to the corner: 20 on the line, at -k v, and 20 on
-  // the circle, at (r (1 - cos kθ), r sin kθ).
+  // The line ends on a cycle. The taps of the filtered point that belongs to the corner: 20 on the line, at
+  // -k v, and 20 on the circle, at (r (1 - cos kθ), r sin kθ).
   auto const found = run(40, "G01 X10 F6000\nG02 X20 Y0 I5\n", constant_velocity);
   double x = 0;
   double y = 0;
@@ -160,12 +161,13 @@ TEST_CASE("circles keep the tolerance, and come near to it") {
 }
 
 TEST_CASE("G00 is as fast as the axes on its way allow") {
-  // 500 mm/s, 10 m/s²: 100 mm take L/v + v/a = 250 cycles. Along two axes at once both limits are √2 as much, along three
-  // √3, and so the same ways of each axis take the same time.
+  // 500 mm/s, 10 m/s²: 100 mm take L/v + v/a = 250 cycles. Along two axes at once both limits are √2 as much,
+  // along three √3, and so the same ways of each axis take the same time.
   CHECK(run(0, "G00 X100\n").blocks.at(0).cycles == Approx(250));
   CHECK(run(0, "G00 X100 Y-100\n").blocks.at(0).cycles == Approx(250));
   CHECK(run(0, "G00 X100 Y100 Z100\n").blocks.at(0).cycles == Approx(250));
-  // 9 mm are too short for 500 mm/s: 2 √(L/a) = 60 cycles. F is that of the next G01: 9 mm at 30 mm/s, 300 + 3 cycles.
+  // 9 mm are too short for 500 mm/s: 2 √(L/a) = 60 cycles. F is that of the next G01: 9 mm at 30 mm/s, 300 +
+  // 3 cycles.
   auto const both = run(0, "F1800 G00 X9\nG04 0\nG01 X0\n");
   CHECK(both.blocks.at(0).cycles == Approx(60).margin(1));
   CHECK(both.blocks.at(1).cycles == Approx(303).margin(1));
@@ -180,8 +182,8 @@ TEST_CASE("a dwell lasts as long as it says") {
 }
 
 TEST_CASE("filters settle once where the path stops") {
-  // 10 mm at 100 mm/s and 10 m/s²: 110 cycles; 41 taps have settled 40 cycles later. A dwell begins with its stop, or when
-  // the one before is over.
+  // 10 mm at 100 mm/s and 10 m/s²: 110 cycles; 41 taps have settled 40 cycles later. A dwell begins with its
+  // stop, or when the one before is over.
   auto const cycles = [](std::string const& program) { return run(40, program).passes.at(0).cycles; };
   CHECK(cycles("G01 X10 F6000\n") == 110 + 40);
   CHECK(cycles("G01 X10 F6000\nG04 0\n") == 110 + 40);

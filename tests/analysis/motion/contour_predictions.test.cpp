@@ -174,7 +174,8 @@ double symmetric_gain(std::vector<double> const& taps, double theta) {
   return sum;
 }
 
-/// The first angle per cycle at which the circle is further away than that, stepping finely; none up to half a turn.
+/// The first angle per cycle at which the circle is further away than that, stepping finely; none up to half
+/// a turn.
 std::optional<double> first_excess(std::vector<double> const& taps, double radius, double tolerance) {
   for (double theta = 1e-5; theta <= pi; theta += 1e-5) {
     if (radius * std::abs(1 - std::abs(symmetric_gain(taps, theta))) > tolerance) return theta;

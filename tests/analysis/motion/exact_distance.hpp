@@ -1,5 +1,5 @@
-// How far a filtered path is from a contour of lines and arcs, written down plainly, without any code of the folder under
-// test; places between setpoints are looked at, too.
+// How far a filtered path is from a contour of lines and arcs, written down plainly, without any code of the
+// folder under test; places between setpoints are looked at, too.
 #pragma once
 
 #include "plain_geometry.hpp"
@@ -28,14 +28,14 @@ struct Followed {
   double off = 0;  ///< farthest setpoint from the contour
 };
 
-/// Cycles between a setpoint and what may belong to it in the filtered path: the chains' delay and reach. A place that is
-/// passed twice has two neighbourhoods.
+/// Cycles between a setpoint and what may belong to it in the filtered path: the chains' delay and reach. A
+/// place that is passed twice has two neighbourhoods.
 struct Neighbourhood {
   int first = 0, last = 0;
 };
 
-/// `setpoints` begin behind the beginning of the first leg, where the axes rest, and end on the last one; `filtered` belong to
-/// the same cycles. All of them in one unit.
+/// `setpoints` begin behind the beginning of the first leg, where the axes rest, and end on the last one;
+/// `filtered` belong to the same cycles. All of them in one unit.
 [[nodiscard]] Followed follow(std::vector<Leg> const& contour, std::vector<Place> const& setpoints,
                               std::vector<Place> const& filtered, Neighbourhood neighbourhood,
                               int points_between = 3);

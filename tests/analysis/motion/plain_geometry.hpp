@@ -1,5 +1,5 @@
-// Kernels, convolution and nearest distances written down plainly, without any code of the folder under test: what a
-// simulation says is compared with these.
+// Kernels, convolution and nearest distances written down plainly, without any code of the folder under test:
+// what a simulation says is compared with these.
 #pragma once
 
 #include <array>
@@ -32,9 +32,9 @@ struct Distances {
   [[nodiscard]] double largest() const;
 };
 
-/// Distances of the contour's points from the filtered path, per straight line of the contour. `contour` begins where the
-/// axes rest; the setpoints `given` lie on it in their order. Looked at are its corners, the setpoints and points from each
-/// to the next.
+/// Distances of the contour's points from the filtered path, per straight line of the contour. `contour`
+/// begins where the axes rest; the setpoints `given` lie on it in their order. Looked at are its corners, the
+/// setpoints and points from each to the next.
 [[nodiscard]] std::vector<Distances> distances(std::vector<Place> const& contour,
                                                std::vector<Place> const& given,
                                                std::vector<std::vector<double>> const& taps,

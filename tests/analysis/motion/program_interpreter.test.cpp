@@ -138,8 +138,8 @@ TEST_CASE("a word that could only count by leaving out another one is refused") 
 }
 
 TEST_CASE("words that mean something else on this control, and what it rounds") {
-  // TF5200: G60 stops in one block, G360 from here on, both until the position lag is small; G09 is no stop; G64 does not
-  // exist; G61, G261 and #CONTOUR MODE ON put polynomials into the corners.
+  // TF5200: G60 stops in one block, G360 from here on, both until the position lag is small; G09 is no stop;
+  // G64 does not exist; G61, G261 and #CONTOUR MODE ON put polynomials into the corners.
   auto const found = interpret("G01 F60 X1 G09\nG60 X2\nG360\nG64\nG61 X3\nG261\n#CONTOUR MODE ON\n");
   CHECK(found.problems == Lines{"1:12 AX9008 G09", "2:1 AX9008 G60", "3:1 AX9008 G360", "4:1 AX9008 G64",
                                 "5:1 AX9008 G61", "6:1 AX9008 G261", "7:1 AX9008 #CONTOUR"});

@@ -16,7 +16,8 @@ using test::channel_of;
 using test::per_cycle;
 using test::simulated;
 
-/// Fails where an axis exceeds its velocity, or where its velocity changes by more than `steps` accelerations a cycle.
+/// Fails where an axis exceeds its velocity, or where its velocity changes by more than `steps` accelerations
+/// a cycle.
 void check_limits(test::Recorded const& found, std::size_t axes, double velocity, double acceleration,
                   double steps) {
   Point before{};
@@ -157,7 +158,8 @@ TEST_CASE("planned paths keep the axes' limits and end where they should") {
       program += fmt::format("X{:.4f} Y{:.4f}\n", x, y);
     }
     auto const found = simulated(channel_of({{.order = 4}, {.order = 4}}), program);
-    // Inside a cycle a path may leave one corner, accelerate and meet the next one: each takes its share of the cycle.
+    // Inside a cycle a path may leave one corner, accelerate and meet the next one: each takes its share of
+    // the cycle.
     check_limits(found, 2, 500 * 10, 100, 4);
     auto const& last = found.cycles.back().point;
     CHECK(last.point.nominal[0] == Approx(std::round(x * 1e4)).margin(1e-6));

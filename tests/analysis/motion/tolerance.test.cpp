@@ -58,8 +58,8 @@ struct Random {
   }
 };
 
-/// Two corners of opposite turn with a short block between them, polylines, circles and helices in chords, short blocks,
-/// ways back: end points in mm.
+/// Two corners of opposite turn with a short block between them, polylines, circles and helices in chords,
+/// short blocks, ways back: end points in mm.
 std::vector<test::Place> random_contour(Random& random, int kind) {
   std::vector<test::Place> points = {{0, 0, 0}};
   double direction = random.number(0, 6);
@@ -286,7 +286,8 @@ TEST_CASE("a tolerance that nothing exceeds changes nothing") {
 }
 
 TEST_CASE("corners that the axes' limits slow down anyway are slowed no further than the tolerance asks") {
-  // Between 130 and 259 µm the corner's own velocity is below the plateau's: what counts is how fast the path leaves it.
+  // Between 130 and 259 µm the corner's own velocity is below the plateau's: what counts is how fast the path
+  // leaves it.
   auto const machine = channel_of({{.order = 40}, {.order = 40}});
   double time = 1e9;
   for (double const tolerance : {0.05, 0.15, 0.17, 0.2, 0.25, 0.259}) {
@@ -360,6 +361,30 @@ TEST_CASE("the tolerance is kept across the planner's windows, too") {
     auto const measured = test::largest_of(test::distances(contour, setpoints.all, {taps, taps, taps}));
     CHECK(measured.largest() <= tolerance * (1 + 1e-9));
   }
+}
+
+TEST_CASE("a pass says that it exceeds its tolerance where the machine does not do what was planned for") {
+  // Planned is for kernels of order 4; those of the machine are longer.
+  test::Recorded recorded;
+  std::vector<AxisLimits> const limits(2, {.velocity = 5000, .acceleration = 100, .transition_weight = 0});
+  Simulation simulation(test::runtime_of(channel_of({{.order = 60}, {.order = 60}})),
+                        test::runtime_of(channel_of({{.order = 4}, {.order = 4}})), PathLimits(limits), false,
+                        recorded);
+  FilterChange change;
+  change.command.filter_switch = machine::FilterSwitch::on;
+  change.tolerance = 10;
+  simulation.command(change);
+  for (Point const& end : {Point{10'000}, Point{10'000, 10'000}}) {
+    ProgrammedBlock block;
+    block.end = end;
+    block.feed = 1000;
+    simulation.motion(block);
+  }
+  simulation.end();
+  REQUIRE_FALSE(simulation.failure().has_value());
+  REQUIRE(recorded.passes.size() == 1);
+  CHECK(recorded.passes[0].tolerance == 10);
+  CHECK_FALSE(recorded.passes[0].keeps_tolerance());
 }
 
 }  // namespace axisc::motion

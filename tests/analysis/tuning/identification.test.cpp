@@ -16,7 +16,8 @@ struct Oscillator {
   double frequency = 48, damping = 0.03;
 };
 
-/// A rigid mass and masses on springs under a torque; the velocity of all together, integrated in hundredths of a sample.
+/// A rigid mass and masses on springs under a torque; the velocity of all together, integrated in hundredths
+/// of a sample.
 std::vector<double> velocities(std::vector<double> const& torque, std::vector<Oscillator> const& modes,
                                std::function<double(std::size_t)> const& drift = {}) {
   constexpr int steps = 100;

@@ -56,7 +56,8 @@ LoopTask column() {
   return task;
 }
 
-/// The whole loop with one plant: swing of the first resonance and largest shift of the load; none where it diverges.
+/// The whole loop with one plant: swing of the first resonance and largest shift of the load; none where it
+/// diverges.
 struct Whole {
   double swing = 0, shift = 0;
 };
@@ -77,7 +78,8 @@ std::optional<Whole> whole(LoopTask const& task, motion::PlantParameters const& 
   return found;
 }
 
-/// Largest distance of the loads with and without function in the second of two revolutions of a circle, simulated.
+/// Largest distance of the loads with and without function in the second of two revolutions of a circle,
+/// simulated.
 double simulated_circle(LoopTask const& task, PositionControl const& control) {
   double const T = task.cycle_time.seconds();
   auto runtime = loop_runtime(task, control);

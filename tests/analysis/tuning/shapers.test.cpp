@@ -1,5 +1,5 @@
-// What is suggested beside classic input shapers (Singer and Seering 1990; Singhose 1997), at an equal delay. The table is in
-// docs/suggest.md.
+// What is suggested beside classic input shapers (Singer and Seering 1990; Singhose 1997), at an equal delay.
+// The table is in docs/suggest.md.
 #include "analysis/tuning/suggestion/choice.hpp"
 #include "analysis/tuning/suggestion/list_lines.hpp"
 #include "support/catch.hpp"
@@ -23,7 +23,8 @@ struct Shaper {
   std::vector<Impulse> impulses;
 };
 
-/// For a damping ratio of 0.1, as is usual where it is not known; 5 % of the vibration are tolerated by EI shapers.
+/// For a damping ratio of 0.1, as is usual where it is not known; 5 % of the vibration are tolerated by EI
+/// shapers.
 std::vector<Shaper> shapers() {
   double const damping = 0.1;
   double const k = std::exp(-damping * std::numbers::pi / std::sqrt(1 - damping * damping));

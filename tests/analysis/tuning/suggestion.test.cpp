@@ -61,8 +61,9 @@ std::vector<double> plain_jumps(std::vector<double> const& taps, Task const& tas
   return jumps;
 }
 
-/// Largest swing behind a ramp that a symmetrical kernel filtered, by the sum of what each velocity jump leaves: no recursion, no
-/// runtime, and frequencies and dampings so close to each other that nothing is between them.
+/// Largest swing behind a ramp that a symmetrical kernel filtered, by the sum of what each velocity jump
+/// leaves: no recursion, no runtime, and frequencies and dampings so close to each other that nothing is
+/// between them.
 double plain_swing(std::vector<double> const& taps, Task const& task, int frequencies, int dampings) {
   double const T = task.cycle_time.seconds();
   auto const jumps = plain_jumps(taps, task);
@@ -152,7 +153,8 @@ TEST_CASE("the worst case is the largest swing of the whole band of frequencies 
     double resonance, feed, acceleration;  // Hz, mm/min, mm/s²
     design::KernelSpecification kernel;
   };
-  // The largest swing lies between the frequencies and dampings of any coarse grid: next to notches of the kernel.
+  // The largest swing lies between the frequencies and dampings of any coarse grid: next to notches of the
+  // kernel.
   for (auto const& row :
        {Row{48, 4000, 3000, {.type = design::KernelType::windowed_sinc, .order = 42, .frequency = {24}}},
         Row{48, 4000, 3000, {.type = design::KernelType::moving_average, .order = 20}},
@@ -182,7 +184,8 @@ TEST_CASE(
     Chain chain{.filters = {{.order = 1 + seed % 6, .frequency = {frequency}}}};
     if (seed % 2 == 1) chain.kernel = design::KernelSpecification{.order = 2 + 2 * (seed % 20)};
     auto const response = impulse_responses(std::span(&chain, 1), {1'000'000}).front();
-    // y(t) = Σ b[k] max(0, t - k), x(t) = t - delay - y(t): the corner's distance from the path, looked for in tenths of a cycle.
+    // y(t) = Σ b[k] max(0, t - k), x(t) = t - delay - y(t): the corner's distance from the path, looked for
+    // in tenths of a cycle.
     double nearest = response.delay;
     for (double t = 0; t < 4 * response.delay + 20; t += 0.1) {
       double y = 0;

@@ -1,5 +1,5 @@
-// A resonance that the axis carries, simulated with motion/plant: a stiff drive that follows its velocity, and on the load a
-// structure too light to act back.
+// A resonance that the axis carries, simulated with motion/plant: a stiff drive that follows its velocity,
+// and on the load a structure too light to act back.
 #pragma once
 
 #include "analysis/motion/plant.hpp"
@@ -12,7 +12,8 @@
 
 namespace axisc::test {
 
-/// Amplitude of the structure's oscillation (position units) at a cycle while setpoints (position units) are driven.
+/// Amplitude of the structure's oscillation (position units) at a cycle while setpoints (position units) are
+/// driven.
 inline double swing_at(std::vector<double> const& setpoints, std::size_t cycle,
                        tuning::Resonance const& resonance, double T) {
   constexpr double units_per_m = 1e7;

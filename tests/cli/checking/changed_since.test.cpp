@@ -2,8 +2,8 @@
 #include "axisc/files/disk_files.hpp"
 #include "axisc/workspace/machine_outline.hpp"
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 #include "validator/check.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // A controller's folder: its start-up list is the machine.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "diagnostics/finding.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <filesystem>
@@ -26,6 +26,20 @@ void write_machine(TemporaryFolder const& folder, std::string const& name, std::
 }
 
 }  // namespace
+
+TEST_CASE("a program that the default list of all channels names is checked once") {
+  TemporaryFolder const folder;
+  folder.write("hochlauf.lis",
+               "kanal_anzahl 1\nsda_mds[0] sda1.lis\ndefault_sda_mds sda.lis\nzahl_mds 1\n"
+               "achs_mds[0] x.lis\nrtconf_lis rt.lis\n");
+  folder.write("rt.lis", "cycle_time 2000\n");
+  folder.write("sda1.lis", "gruppe[0].achse[0].bezeichnung X\ngruppe[0].achse[0].log_achs_nr 1\n");
+  folder.write("sda.lis", "start_init_prog_file init.nc\n");
+  folder.write("x.lis", "kopf.achs_nr 1\nkopf.log_achs_name X\nfilter_fir.type 1\nfilter_fir.order 10\n");
+  folder.write("init.nc", "#FILTR ON\n");
+  CHECK_THAT(run_axisc({"lint", "."}, in_folder(folder.path())).out,
+             Catch::Matchers::Contains("6 files: 1 error\n"));
+}
 
 TEST_CASE("a stock folder is checked as the machine that it is, in silence") {
   TemporaryFolder const folder;

@@ -1,10 +1,10 @@
 // Names that come from a file are printed so that no terminal and no CI system obeys them.
 #include "axisrt.h"
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "codegen/image_writer.hpp"
 #include "configuration/machine/machine.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 using Catch::Matchers::Contains;

@@ -1,7 +1,7 @@
 // No configuration passes of which a file is missing or damaged, whichever it is.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <array>

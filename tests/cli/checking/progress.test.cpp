@@ -1,7 +1,7 @@
 // What a person at a terminal sees of long work, and a pipe does not.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <chrono>
 #include <csignal>

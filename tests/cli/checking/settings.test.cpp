@@ -1,7 +1,7 @@
 #include "axisc/settings/glob.hpp"
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 

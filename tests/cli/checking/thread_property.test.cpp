@@ -1,7 +1,7 @@
 // The same findings and images for every number of threads.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/random_lists.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <map>
 #include <random>

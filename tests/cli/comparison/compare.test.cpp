@@ -1,7 +1,7 @@
 // Units and modulo ranges of recordings, and what to record where one tells too little.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <cmath>
 #include <functional>

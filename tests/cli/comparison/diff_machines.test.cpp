@@ -1,7 +1,7 @@
 // Whole machines, and axes of one machine, compared.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 

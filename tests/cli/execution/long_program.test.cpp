@@ -1,7 +1,7 @@
 // NC programs of a hundred megabytes are usual in die and mould making; what is kept of one does not grow with it.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "cli/compiled_machine.hpp"
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 

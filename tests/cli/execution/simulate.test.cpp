@@ -1,6 +1,6 @@
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -88,8 +88,8 @@ TEST_CASE("every cycle as CSV") {
 TEST_CASE("every cycle of a dwell is written, wherever it is") {
   TemporaryFolder const folder;
   auto const there = two_axes(folder);
-  // 100 cycles, and 10 mm at 100 mm/s and 10 m/s²: 110 cycles; the moving average has settled 40 later, and once more behind
-  // the command: 100, or 40 without motion before.
+  // 100 cycles, and 10 mm at 100 mm/s and 10 m/s²: 110 cycles; the moving average has settled 40 later, and
+  // once more behind the command: 100, or 40 without motion before.
   folder.write(
       "p.nc",
       "N10 G04 X0.1\nN20 G01 X10 F6000\n#FILTER ON\nN30 G04 X0.1\nN40 G01 X0\n#FILTER OFF\nN50 G04 X0.1\n");
@@ -197,7 +197,8 @@ TEST_CASE("a part program with subprograms and loops, and one that has everythin
   auto const part = simulate(there, {"machine.json", "--program", "part.nc"});
   CHECK(part["block_count"] == 17);
   auto const everything = simulate(there, {"machine.json", "--program", "plate.nc"});
-  // 1 rapid, 3 depths of 6 blocks, 4 holes of 3 blocks (the first is deep enough already), a helix of 2 blocks, 1 rapid.
+  // 1 rapid, 3 depths of 6 blocks, 4 holes of 3 blocks (the first is deep enough already), a helix of 2
+  // blocks, 1 rapid.
   CHECK(everything["block_count"] == 1 + 3 * 6 + 4 * 3 - 1 + 2 + 1);
 }
 

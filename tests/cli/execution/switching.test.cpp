@@ -1,7 +1,7 @@
 // FIR and HSC filters, the commands that switch them, and Improved Position Control, from the command line.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 

@@ -1,7 +1,7 @@
 // A folder passes over nothing that may have been a list, a project or a machine file: what is cut off, encoded otherwise or
 // misspelt is told, in each file that the check of a folder reads.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <set>

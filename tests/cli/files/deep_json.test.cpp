@@ -1,7 +1,7 @@
 // JSON that is nested without end: whoever writes a file must not end the program.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 

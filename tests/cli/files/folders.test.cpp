@@ -1,6 +1,6 @@
 // What stands in folders, and long paths of Windows.
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 #include "system/folder.hpp"
 #include "system/long_path.hpp"
 

@@ -1,6 +1,6 @@
 // Hooks name all files of a commit: those that the program itself would find are checked, and no name is a response file.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <fstream>
 #include <regex>
@@ -90,7 +90,7 @@ TEST_CASE("each file of a commit that is a list, a machine or a program is check
   std::vector<std::string> const all{"A.NC",      "X.LIS",        "axisc.json",  "mill.json", "old.lis",
                                      "p.tsproj",  "package.json", "plc.tsproj",  "pom.xml",   "update.xml",
                                      "README.md", "@x.lis",       "machine.json"};
-  folder.write("@x.lis", broken);
+  folder.write("@x.lis", "filter[1].order 2,5x\n");
   folder.write("x.lis", "filter[0].enable 0\n");
   folder.write("machine.json", "");
   auto const outcome = run_hook(hook_named("axisc-lint"), {"--cycle-time", "1ms"}, folder, all);
@@ -111,7 +111,7 @@ TEST_CASE("each file of a commit that is a list, a machine or a program is check
 TEST_CASE("a list that begins with @ is a file for hooks and after --") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());
-  folder.write("@x.lis", broken);
+  folder.write("@x.lis", "filter[1].order 2,5x\n");
   folder.write("x.lis", "ok.lis\n");
   folder.write("ok.lis", "filter[0].enable 0\n");
   for (std::vector<std::string> const& words :

@@ -1,7 +1,7 @@
 #include "axisc/workspace/inputs.hpp"
 
 #include "axisc/workspace/machine_outline.hpp"
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <string_view>

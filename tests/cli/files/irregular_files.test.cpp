@@ -1,7 +1,7 @@
 // Pipes, devices, links in a circle, files that change or are too large: one line each, and nothing waits.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <csignal>
 #include <filesystem>

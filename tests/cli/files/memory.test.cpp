@@ -1,7 +1,7 @@
 // Memory does not grow with the number of inputs, except for SARIF by their findings.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 
@@ -20,7 +20,7 @@ constexpr bool keeps_what_is_freed = false;
 TEST_CASE("findings of many inputs do not stay in memory") {
   TemporaryFolder const folder;
   std::string list = "kopf.achs_nr 1\n";
-  for (int i = 0; i < 1000; ++i) list += "= 5\n";
+  for (int i = 0; i < 1000; ++i) list += "= " + std::to_string(i) + "\n";
   list += "Ende\n";
   auto const first = folder.write("lists/0.lis", list);
   constexpr int inputs = 80;
@@ -43,7 +43,7 @@ TEST_CASE("findings of one long list are printed as they come") {
   std::string list = "kopf.achs_nr 1\n";
   folder.write("short.lis", list + "Ende\n");
   constexpr int mistakes = 60000;
-  for (int i = 0; i < mistakes; ++i) list += "= 5\n";
+  for (int i = 0; i < mistakes; ++i) list += "= " + std::to_string(i) + "\n";
   folder.write("long.lis", list + "Ende\n");
   for (std::string const format : {"text", "json", "gitlab"}) {
     auto const few = run_axisc({"lint", "short.lis", "--format", format}, in_folder(folder.path()));

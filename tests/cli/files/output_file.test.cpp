@@ -1,7 +1,7 @@
 #include "axisc/files/output_file.hpp"
 
 #include "axisc/environment/failure.hpp"
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <csignal>
 #include <sys/stat.h>

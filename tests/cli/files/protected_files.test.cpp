@@ -1,7 +1,7 @@
 // No output of any command replaces an input, another output or a secret key, under whatever name.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,6 +1,6 @@
 // `@FILE`: more inputs than a command line may hold.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 using Catch::Matchers::Contains;

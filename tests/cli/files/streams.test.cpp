@@ -1,6 +1,6 @@
 // Full disks: one line, exit status 2. Closed pipes: silence, exit status 2.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <sys/mount.h>
 

@@ -1,7 +1,7 @@
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
 #include "support/sarif_schema.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <sys/stat.h>
 

@@ -1,7 +1,7 @@
 // Images of several machines in one process.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <csignal>
 #include <map>

@@ -1,7 +1,7 @@
 // `design` of axisc.json: what a control makes of its filters, from the settings to the setpoints that a runtime makes.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <cmath>
 #include <iterator>

@@ -1,7 +1,7 @@
 // Every picture of docs/gallery.md is what the program draws from its sample.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <set>

@@ -1,9 +1,9 @@
 // Pictures show what response and run compute: the curves are read back from the SVG.
 #include "cli/compiled_machine.hpp"
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "presentation/pictures/projection.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <cmath>

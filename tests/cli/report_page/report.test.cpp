@@ -1,8 +1,8 @@
 // The report says what lint, inspect, contour and diff say, and nothing in it needs a network, a script or trust.
 #include "cli/compiled_machine.hpp"
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <iomanip>

@@ -1,7 +1,7 @@
 // `axisc suggest --plant`: Improved Position Control of the rack in the samples.
 #include "cli/program.hpp"
-#include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <filesystem>
 

@@ -1,4 +1,5 @@
-// The arithmetic of a cycle: numbers that are next to zero are taken as zero inside, and the caller's control word comes back.
+// The arithmetic of a cycle: numbers that are next to zero are taken as zero inside, and the caller's control
+// word comes back.
 #include "tests/runtime/control_word.hpp"
 
 #include "support/catch.hpp"
@@ -148,8 +149,8 @@ std::vector<ControlWord> words_and_flags() {
   return words;
 }
 
-/// Calls that are not a step, with numbers that round, are subnormal, overflow or are not finite: what they return, and the
-/// states and outputs behind them.
+/// Calls that are not a step, with numbers that round, are subnormal, overflow or are not finite: what they
+/// return, and the states and outputs behind them.
 class Calls {
  public:
   explicit Calls(ControlWord word) : word_(word) {}

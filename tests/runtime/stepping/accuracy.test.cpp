@@ -1,5 +1,6 @@
-// The accuracy that the runtime promises, against the exact filter in quadruple precision: with coefficients that were
-// never rounded, and states of the size of the position. T = 125 us, frequencies down to 1 Hz, positions near 1e9.
+// The accuracy that the runtime promises, against the exact filter in quadruple precision: with coefficients
+// that were never rounded, and states of the size of the position. T = 125 us, frequencies down to 1 Hz,
+// positions near 1e9.
 #include "support/catch.hpp"
 #include "tests/runtime/test_runtime.hpp"
 
@@ -37,8 +38,8 @@ struct Accuracy {
   double last_output = 0;
 };
 
-/// error <= ulp(max(|x|, |y|))/2 + 2^-42 D, D the largest distance between input and output (for chains that block the
-/// constant part: of the input from its place of rest)
+/// error <= ulp(max(|x|, |y|))/2 + 2^-42 D, D the largest distance between input and output (for chains that
+/// block the constant part: of the input from its place of rest)
 Accuracy measure(std::vector<ExactFilter> const& filters, int cycles, double (*input)(int)) {
   bool const blocks =
       std::any_of(filters.begin(), filters.end(), [](ExactFilter const& f) { return f.blocks_constant; });
@@ -181,7 +182,8 @@ std::vector<ExactFilter> hard_chain(int kind, Quad f) {
 
 constexpr int hard_chains = 5;
 
-/// Setpoints that no interpolator gives: alternating in every cycle or every other, noise, random accelerations.
+/// Setpoints that no interpolator gives: alternating in every cycle or every other, noise, random
+/// accelerations.
 class HardInput {
  public:
   explicit HardInput(int kind) : kind_(kind) {}

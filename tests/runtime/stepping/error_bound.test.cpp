@@ -1,4 +1,5 @@
-// axisrt_axis_error_bound against ramps that the runtime executes, and against the formula for symmetric kernels.
+// axisrt_axis_error_bound against ramps that the runtime executes, and against the formula for symmetric
+// kernels.
 #include "axisrt.h"
 #include "support/catch.hpp"
 #include "tests/runtime/test_runtime.hpp"

@@ -102,7 +102,8 @@ double worst_of_bound(TestRuntime& runtime, Exact exact) {
   return worst_of_bound(runtime, 1e9, RandomMotion(17), exact);
 }
 
-/// Setpoints whose increments add up to nothing, but not their magnitudes: the worst that can happen to sums of them.
+/// Setpoints whose increments add up to nothing, but not their magnitudes: the worst that can happen to sums
+/// of them.
 struct Alternating {
   int cycle = 0;
   double next() {

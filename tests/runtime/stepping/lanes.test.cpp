@@ -1,4 +1,5 @@
-// Axes side by side: whatever their number and whatever they have in common, each is filtered as if it were alone.
+// Axes side by side: whatever their number and whatever they have in common, each is filtered as if it were
+// alone.
 #include "axisrt.h"
 #include "support/catch.hpp"
 #include "tests/runtime/exact_kernel.hpp"

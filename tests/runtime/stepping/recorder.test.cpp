@@ -264,7 +264,8 @@ Bytes eight_axes() {
   return write_image(image);
 }
 
-/// An image with the bytes of another behind its section table, which says that there is one axis with one filter.
+/// An image with the bytes of another behind its section table, which says that there is one axis with one
+/// filter.
 Bytes first_axis_of(Bytes image) {
   for (std::uint32_t const kind : {axes_kind, filters_kind}) {
     std::size_t const entry = entry_offset(image, kind);
@@ -276,8 +277,8 @@ Bytes first_axis_of(Bytes image) {
   return image;
 }
 
-/// Chooses 32 bits of the header that mean nothing to a runtime such that its checksum is `wanted`. A CRC of bits that are
-/// flipped one by one is linear: they are found by elimination.
+/// Chooses 32 bits of the header that mean nothing to a runtime such that its checksum is `wanted`. A CRC of
+/// bits that are flipped one by one is linear: they are found by elimination.
 void force_header_checksum(Bytes& image, std::uint32_t wanted) {
   constexpr std::size_t source_digest = 48;
   auto const with_flipped = [&](std::uint64_t bits) {

@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint32_t cycle_time_ns = 125'000;
 constexpr Quad T = Quad{1} / 8000;
 
-/// Moves from 995e6 to 1e9 in a second; returns the number of cycles behind it after which y == x, 0 if never.
+/// Moves from 995e6 to 1e9 in a second; returns the number of cycles behind it after which y == x, 0 if
+/// never.
 int settle(TestRuntime& runtime, int longest) {
   axisrt_reset(runtime.runtime, 0, 995e6);
   for (int i = 1; i <= 8000; ++i) static_cast<void>(runtime.step(995e6 + i * 625.0));

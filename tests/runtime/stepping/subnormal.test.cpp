@@ -1,5 +1,5 @@
-// No cycle meets a subnormal number: the processor, which notices each, says so, whatever the inputs, the coefficients and the
-// states that a recording begins with.
+// No cycle meets a subnormal number: the processor, which notices each, says so, whatever the inputs, the
+// coefficients and the states that a recording begins with.
 #include "axisrt.h"
 #include "runtime/format/recording_format.h"
 #include "runtime/instructions.hpp"

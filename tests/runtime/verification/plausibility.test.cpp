@@ -1,4 +1,5 @@
-// AXISRT_IMPLAUSIBLE: reported for the axis whose output moved too far, in its lane, in that cycle, and for no other.
+// AXISRT_IMPLAUSIBLE: reported for the axis whose output moved too far, in its lane, in that cycle, and for
+// no other.
 #include "axisrt.h"
 #include "support/catch.hpp"
 #include "tests/runtime/test_runtime.hpp"

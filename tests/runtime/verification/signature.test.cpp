@@ -1,5 +1,5 @@
-// The trailer behind an image, and the caller's function that judges it. The seal of these tests is no cryptography: what
-// counts here is which bytes are handed over and what becomes of the answer.
+// The trailer behind an image, and the caller's function that judges it. The seal of these tests is no
+// cryptography: what counts here is which bytes are handed over and what becomes of the answer.
 #include "support/catch.hpp"
 #include "tests/runtime/test_runtime.hpp"
 

@@ -83,7 +83,8 @@ std::vector<Mutation> mutations() {
       f64("acceleration", axes_kind, 0, 56, -infinity, AXISRT_NOT_FINITE),
       f64("peak gain of the axis", axes_kind, 0, 64, not_a_number, AXISRT_NOT_FINITE),
       f64("delay of the axis", axes_kind, 0, 72, not_a_number, AXISRT_NOT_FINITE),
-      // Proofs that cannot be true: the sum of |h| is at least |H(1)|, poles of a stable filter lie within the circle.
+      // Proofs that cannot be true: the sum of |h| is at least |H(1)|, poles of a stable filter lie within
+      // the circle.
       f64("an axis that amplifies nothing", axes_kind, 0, 64, 0, AXISRT_OUT_OF_BOUNDS),
       f64("a negative peak gain of the axis", axes_kind, 0, 64, -1, AXISRT_OUT_OF_BOUNDS),
       f64("an axis' peak gain below its gain at 0 Hz", axes_kind, 1, 64, 0.999, AXISRT_OUT_OF_BOUNDS),

@@ -102,8 +102,8 @@ void invalid_character(ListContext const& context, Report& report) {
     });
   }
   for_each_doubtful(context, [&](Line const& line) {
-    Reading const& reading = line.reading();
-    if (!reading.row_known() || reading.status == ReadingStatus::value) return;
+    LineValue const& line_value = line.line_value();
+    if (!line_value.row_known() || line_value.status == ReadingStatus::value) return;
     Span const first = first_unusual(context.source, line.assignment().value);
     if (first.empty()) return;
     report.later(line.place(first), [line](Finding& finding) {

@@ -61,7 +61,7 @@ void describe(Finding& finding, ListContext const& context, grammar::Problem con
   finding.fix = replace_by(place_of(context, before), "# ", message(says::fix), FixSafety::safe);
 }
 
-/// `filter[0].order = 2`: the sign stands where the value should.
+/// `filter[0].order = 2`: the sign is where the value should be.
 void describe_separate(Finding& finding, Line const& line) {
   describe_sign(finding, line.context, line.assignment().name.end, line.assignment().value.begin);
 }
@@ -72,7 +72,7 @@ void expected_name(ListContext const& context, Report& report) {
     std::uint32_t const at = line.assignment().value.begin;
     Span const sign{.begin = at, .end = at + 1};
     if (signs.find(context.source.slice(sign)) == std::string_view::npos) return;
-    if (line.reading().status == ReadingStatus::value) return;
+    if (line.line_value().status == ReadingStatus::value) return;
     report_line<describe_separate>(report, line, sign);
   });
 }

@@ -36,7 +36,7 @@ void describe(Finding& finding, ListContext const& context, grammar::Problem con
   std::string const index = context.source.utf8(problem.span);
   finding.message = message_of(says::headline, Argument{"index", index});
   finding.help.push_back(message(says::help));
-  // What follows belongs to the index in `[0,1]`.
+  // The following text belongs to the index in `[0,1]`.
   std::string_view const after = context.source.slice(context.source.line_span(problem.line))
                                      .substr(problem.span.end - context.source.line_span(problem.line).begin);
   bool const is_whole = after.empty() || after.front() == '.' || ascii::is_blank(after.front());
@@ -51,7 +51,7 @@ Span separate_index(Line const& line) {
   Span span = line.assignment().value;
   std::string_view const value = line.context.source.slice(span);
   std::size_t const end = value.find("].");
-  if (line.reading().row_known() || !value.starts_with('[') || end == std::string_view::npos || end < 2) {
+  if (line.line_value().row_known() || !value.starts_with('[') || end == std::string_view::npos || end < 2) {
     return {};
   }
   if (!std::all_of(value.begin() + 1, value.begin() + static_cast<std::ptrdiff_t>(end), ascii::is_digit)) {
@@ -71,7 +71,8 @@ void describe_separate(Finding& finding, Line const& line) {
                            message_of(says::fix, Argument{"replacement", finding.parameter}));
 }
 
-/// `linkage[0][1]`: some names of other kinds of lists have two indices at one part. What they say is not judged.
+/// `linkage[0][1]`: some names of other kinds of lists have two indices at one part. Their lines are not
+/// judged.
 bool is_of_other_kind(ListContext const& context, grammar::Problem const& problem) {
   std::string_view const index = context.source.slice(problem.span);
   return context.list.kind != configuration::ListKind::axis && index.find("][") != std::string_view::npos &&

@@ -17,10 +17,10 @@ namespace axisc::validator::checks {
 namespace {
 
 /// The intended number; empty if it is not obvious: an integer has no decimals.
-std::string repaired(std::string value, Reading const& reading) {
+std::string repaired(std::string value, LineValue const& line_value) {
   std::replace(value.begin(), value.end(), ',', '.');
   if (!schema::is_complete_number(value)) return {};
-  bool const is_real = !reading.row_known() || reading.row->type == schema::DataType::real64;
+  bool const is_real = !line_value.row_known() || line_value.row->type == schema::DataType::real64;
   if (is_real) return value;
   std::size_t const point = value.find('.');
   bool const is_whole = value.find_first_not_of('0', point + 1) == std::string::npos;
@@ -32,7 +32,7 @@ void describe(Finding& finding, Line const& line) {
   std::string const value = line.text(written);
   finding.message = message_of(says::headline, Argument{"value", value});
   set_reaction(finding, says::reaction);
-  std::string const number = repaired(value, line.reading());
+  std::string const number = repaired(value, line.line_value());
   if (number.empty()) return;
   finding.fix =
       replace_by(line.place(written), number, message_of(says::fix, Argument{"replacement", number}));
@@ -40,7 +40,7 @@ void describe(Finding& finding, Line const& line) {
 
 void decimal_comma(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    if (line.reading().status != ReadingStatus::decimal_comma) return;
+    if (line.line_value().status != ReadingStatus::decimal_comma) return;
     report_line<describe>(report, line, line.assignment().value);
   });
 }

@@ -30,7 +30,7 @@ std::string without_leading_zeros(std::string const& value) {
   return value.substr(0, sign) + (needs_zero ? "0" : "") + value.substr(first);
 }
 
-/// What the control does with one kind of malformed number.
+/// The control's reaction to one kind of malformed number.
 struct Trouble {
   SentenceRef headline;
   SentenceRef reaction;
@@ -60,7 +60,7 @@ Trouble trouble_of(schema::NumberStatus status) {
 std::string without_unit(Line const& line, std::string_view value) {
   std::size_t size = value.size();
   while (size > 0 && !schema::is_complete_number(value.substr(0, size))) --size;
-  schema::Parameter const* const row = line.reading().row;
+  schema::Parameter const* const row = line.line_value().row;
   if (size == 0 || row == nullptr) return {};
   for (std::string_view const unit : {row->unit_translatory, row->unit_rotary}) {
     auto const ratio = unit_ratio(value.substr(size), unit);
@@ -76,7 +76,7 @@ void describe(Finding& finding, Line const& line) {
   // A hexadecimal number has neither sign nor exponent.
   bool const signed_hexadecimal = value.find("0x") == 1 || value.find("0X") == 1;
   schema::NumberStatus const status =
-      signed_hexadecimal ? schema::NumberStatus::not_a_number : line.reading().number;
+      signed_hexadecimal ? schema::NumberStatus::not_a_number : line.line_value().number;
   Trouble const trouble = trouble_of(status);
   finding.message = message_of(trouble.headline, Argument{"value", value});
   set_reaction(finding, trouble.reaction, {}, std::string(trouble.result));
@@ -97,7 +97,7 @@ void describe(Finding& finding, Line const& line) {
 
 void malformed_number(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    if (line.reading().status != ReadingStatus::malformed_number) return;
+    if (line.line_value().status != ReadingStatus::malformed_number) return;
     report_line<describe>(report, line, line.assignment().value);
   });
 }

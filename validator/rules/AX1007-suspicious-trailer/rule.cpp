@@ -29,7 +29,7 @@ bool is_reference(std::string_view word) {
          has_index == !index.empty() && std::all_of(index.begin(), index.end(), ascii::is_digit);
 }
 
-/// Also what is none for the control: `000`, `1,5`, `,5`.
+/// Also numbers that the control does not accept: `000`, `1,5`, `,5`.
 bool looks_like_number(std::string_view word) {
   constexpr std::string_view signs = "+-";
   if (!word.empty() && signs.find(word.front()) != std::string_view::npos) word.remove_prefix(1);
@@ -43,15 +43,16 @@ bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word)
           catalogue.is_symbol_of_any_parameter(word));
 }
 
-/// After numbers, booleans and references the control ignores everything; text after symbols is left to AX1009.
-bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading) {
+/// After numbers, booleans and references the control ignores everything; text after symbols is left to
+/// AX1009.
+bool ends_at_blank(grammar::Assignment const& assignment, LineValue const& line_value) {
   using grammar::ValueKind;
-  if (reading.status == ReadingStatus::reference) return true;
+  if (line_value.status == ReadingStatus::reference) return true;
   bool const usable =
-      reading.status == ReadingStatus::value || reading.status == ReadingStatus::out_of_data_range;
+      line_value.status == ReadingStatus::value || line_value.status == ReadingStatus::out_of_data_range;
   if (!usable) return false;
-  if (reading.row_known()) {
-    schema::Parameter const& parameter = *reading.row;
+  if (line_value.row_known()) {
+    schema::Parameter const& parameter = *line_value.row;
     if (parameter.type == schema::DataType::boolean) return true;
     if (parameter.type == schema::DataType::string && !parameter.is_enumeration()) return false;
   }
@@ -67,7 +68,7 @@ Span first_word(Line const& line) {
   return {.begin = trailer.begin, .end = trailer.begin + static_cast<std::uint32_t>(size)};
 }
 
-/// The number without the blanks in it, `20 000` as 20000; empty where that is none.
+/// The number without the blanks in it, `20 000` as 20000; empty where the result is not a number.
 std::string joined(Line const& line) {
   std::string number = line.text(line.assignment().value);
   std::string_view rest = line.context.source.slice(line.assignment().trailer);
@@ -96,7 +97,7 @@ void suspicious_trailer(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
     grammar::Assignment const& assignment = line.assignment();
     bool const has_text = assignment.trailer_kind == grammar::TrailerKind::text;
-    if (!has_text || !ends_at_blank(assignment, line.reading())) return;
+    if (!has_text || !ends_at_blank(assignment, line.line_value())) return;
     Span const word = first_word(line);
     if (!looks_like_value(context.list.catalogue, context.source.slice(word))) return;
     report_line<describe>(report, line, word);

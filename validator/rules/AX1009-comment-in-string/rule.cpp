@@ -17,8 +17,8 @@ namespace axisc::validator::checks {
 namespace {
 
 void describe(Finding& finding, Line const& line) {
-  Span const trouble = line.reading().trouble;
-  bool const is_symbol = !line.reading().row->symbols.empty();
+  Span const trouble = line.line_value().trouble;
+  bool const is_symbol = !line.line_value().row->symbols.empty();
   finding.message = message(is_symbol ? says::headline : says::string);
   std::string const value = line.text({.begin = line.assignment().value.begin, .end = trouble.end});
   set_reaction(finding, says::reaction, {{"value", value}}, is_symbol ? "" : value);
@@ -29,7 +29,7 @@ void describe(Finding& finding, Line const& line) {
 
 void comment_in_string(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    Span const trouble = line.reading().trouble;
+    Span const trouble = line.line_value().trouble;
     if (!trouble.empty()) report_line<describe>(report, line, trouble);
   });
 }

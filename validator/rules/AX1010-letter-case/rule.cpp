@@ -28,22 +28,22 @@ void describe(Finding& finding, std::string written, std::string const& expected
 }
 
 void describe_name(Finding& finding, Line const& line) {
-  describe(finding, line.name(), schema::slot_name(*line.reading().row, line.reading().slot));
+  describe(finding, line.name(), schema::slot_name(*line.line_value().row, line.line_value().slot));
 }
 
 void describe_symbol(Finding& finding, Line const& line) {
-  std::string const written = line.text(line.reading().text);
+  std::string const written = line.text(line.line_value().text);
   describe(finding, written, ascii::upper_case(written));
 }
 
 void letter_case(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    Reading const& reading = line.reading();
-    if (reading.known() && reading.name_folded) {
+    LineValue const& line_value = line.line_value();
+    if (line_value.known() && line_value.name_folded) {
       report_line<describe_name>(report, line, line.assignment().name);
     }
-    if (reading.symbol_folded && reading.status == ReadingStatus::value) {
-      report_line<describe_symbol>(report, line, reading.text);
+    if (line_value.symbol_folded && line_value.status == ReadingStatus::value) {
+      report_line<describe_symbol>(report, line, line_value.text);
     }
   });
   auto const& marker = context.list.tree.end_marker;

@@ -35,18 +35,19 @@ std::optional<Mention> next_mention(std::string_view text, std::string_view pref
   return std::nullopt;
 }
 
-/// The first number of the list's own kind in the comment of a line; none if its own is among them, or if the comment has none.
+/// The first number of the list's own kind in the comment of a line; none if its own is among them, or if the
+/// comment has none.
 std::optional<Mention> other_parameter(Line const& line) {
   Span const trailer = line.assignment().trailer;
   if (trailer.empty()) return std::nullopt;
-  Reading const reading = line.context.list.readings[line.number];
-  if (!reading.row_known() || reading.row->p_axis == 0) return std::nullopt;
+  LineValue const line_value = line.context.list.line_values[line.number];
+  if (!line_value.row_known() || line_value.row->p_axis == 0) return std::nullopt;
   std::string_view const text = line.context.source.slice(trailer);
-  std::string const prefix = configuration::number_prefix(reading.row->kind) + "-";
+  std::string const prefix = configuration::number_prefix(line_value.row->kind) + "-";
   std::optional<Mention> first = next_mention(text, prefix, 0);
   for (std::optional<Mention> mention = first; mention;
        mention = next_mention(text, prefix, mention->span.end)) {
-    if (mention->number == reading.row->p_axis) return std::nullopt;
+    if (mention->number == line_value.row->p_axis) return std::nullopt;
   }
   if (first) {
     first->span.begin += trailer.begin;
@@ -56,7 +57,7 @@ std::optional<Mention> other_parameter(Line const& line) {
 }
 
 std::string own_number(Line const& line) {
-  schema::Parameter const& row = *line.context.list.readings[line.number].row;
+  schema::Parameter const& row = *line.context.list.line_values[line.number].row;
   return schema::number_text(row.kind, row.p_axis);
 }
 
@@ -74,8 +75,8 @@ void describe(Finding& finding, Line const& line) {
 }
 
 void comment_names_other_parameter(ListContext const& context, Report& report) {
-  if (!context.list.readings.may_name_numbers()) return;
-  for (std::uint32_t number = 0; number < context.list.readings.size(); ++number) {
+  if (!context.list.line_values.may_name_numbers()) return;
+  for (std::uint32_t number = 0; number < context.list.line_values.size(); ++number) {
     Line const line{context, number};
     if (auto const first = other_parameter(line)) report_line<describe>(report, line, first->span);
   }

@@ -31,22 +31,22 @@ struct WrittenUnit {
   std::optional<double> ratio;  ///< none where no conversion leads to it
 };
 
-/// For a value with another unit than the parameter's behind it.
+/// For a value followed by another unit than the parameter's.
 std::optional<WrittenUnit> other_unit(Line const& line) {
-  Reading const& reading = line.reading();
+  LineValue const& line_value = line.line_value();
   bool const has_text = line.assignment().trailer_kind == grammar::TrailerKind::text;
-  if (!has_text || reading.status != ReadingStatus::value || !schema::is_number(reading.row->type)) {
+  if (!has_text || line_value.status != ReadingStatus::value || !schema::is_number(line_value.row->type)) {
     return std::nullopt;
   }
   std::string const word = line.text(unit_span(line));
-  if (reading.row->unit_translatory.empty() || !is_unit(word)) return std::nullopt;
+  if (line_value.row->unit_translatory.empty() || !is_unit(word)) return std::nullopt;
   // A list may be one for all axes, so that the kind of axis is not known.
-  for (std::string_view const unit : {reading.row->unit_translatory, reading.row->unit_rotary}) {
+  for (std::string_view const unit : {line_value.row->unit_translatory, line_value.row->unit_rotary}) {
     auto const ratio = unit_ratio(word, unit);
     if (ratio && *ratio == 1) return std::nullopt;
     if (ratio) return WrittenUnit{.unit = unit, .ratio = ratio};
   }
-  return WrittenUnit{.unit = reading.row->unit_translatory, .ratio = std::nullopt};
+  return WrittenUnit{.unit = line_value.row->unit_translatory, .ratio = std::nullopt};
 }
 
 void describe(Finding& finding, Line const& line) {
@@ -57,12 +57,13 @@ void describe(Finding& finding, Line const& line) {
       message(says::headline,
               {{"parameter", line.name()}, {"unit", raw_unit_name(unit.unit)}, {"written", line.text(word)}});
   set_reaction(finding, says::reaction, {}, line.text(value));
-  add_physical(finding, *line.reading().row, machine::AxisType::translatory, line.reading().value.number);
-  std::string const number = unit.ratio ? converted_number(line.reading().value.number, *unit.ratio,
-                                                           schema::is_integer(line.reading().row->type))
+  add_physical(finding, *line.line_value().row, machine::AxisType::translatory,
+               line.line_value().value.number);
+  std::string const number = unit.ratio ? converted_number(line.line_value().value.number, *unit.ratio,
+                                                           schema::is_integer(line.line_value().row->type))
                                         : std::string();
   if (number.empty()) return;
-  // What was meant stays readable, as a comment.
+  // The written value stays readable, as a comment.
   finding.fix = replace_by(line.place({.begin = value.begin, .end = value.begin}), number + " ( ",
                            message(says::parameter_fix, {{"replacement", number}}));
 }

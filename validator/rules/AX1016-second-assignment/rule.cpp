@@ -16,9 +16,9 @@ constexpr Sentence fix{"begin a new line", "eine neue Zeile beginnen"};
 namespace axisc::validator::checks {
 namespace {
 
-/// The text behind the value that is not a comment.
+/// The text after the value that is not a comment.
 Span text_behind(Line const& line) {
-  if (!line.reading().trouble.empty()) return line.reading().trouble;
+  if (!line.line_value().trouble.empty()) return line.line_value().trouble;
   bool const is_text = line.assignment().trailer_kind == grammar::TrailerKind::text;
   return is_text ? line.assignment().trailer : Span{};
 }

@@ -26,7 +26,7 @@ bool is_numbered_elsewhere(Line const& line) {
 void describe(Finding& finding, Line const& line) {
   finding.message = message_of(says::headline, Argument{"name", finding.parameter});
   set_reaction(finding, says::reaction);
-  auto const& suggestions = line.context.list.readings.suggestions(line.number);
+  auto const& suggestions = line.context.list.line_values.suggestions(line.number);
   if (suggestions.names.empty() || is_numbered_elsewhere(line)) return;
   std::string const& best = suggestions.names.front();
   if (suggestions.is_former_name) {
@@ -42,10 +42,10 @@ void describe(Finding& finding, Line const& line) {
                            message_of(says::parameter_fix, Argument{"replacement", best}));
 }
 
-/// An image would lack what the line was meant for.
+/// An image would lack the setting that the line was meant for.
 bool concerns_image(Line const& line) {
   std::string_view const name = line.context.source.slice(line.assignment().name);
-  auto const& suggestions = line.context.list.readings.suggestions(line.number);
+  auto const& suggestions = line.context.list.line_values.suggestions(line.number);
   if (is_compiled_family(name)) return true;
   if (is_numbered_elsewhere(line)) return false;
   return is_close_to_compiled_family(name) ||
@@ -54,14 +54,14 @@ bool concerns_image(Line const& line) {
 
 /// By a slip of the pen. Real lists have names that the documents of their kind do not know.
 bool is_explained(Line const& line) {
-  auto const& suggestions = line.context.list.readings.suggestions(line.number);
+  auto const& suggestions = line.context.list.line_values.suggestions(line.number);
   return !is_numbered_elsewhere(line) && !suggestions.names.empty() &&
          (suggestions.is_close || suggestions.is_certain || suggestions.is_former_name);
 }
 
 void unknown_parameter(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    if (line.reading().row_known()) return;
+    if (line.line_value().row_known()) return;
     Reported& reported = report_line<describe>(report, line, line.assignment().name);
     if (context.list.kind != configuration::ListKind::axis) {
       if (!is_explained(line)) reported.severity = Severity::note;

@@ -24,13 +24,14 @@ namespace axisc::validator::checks {
 namespace {
 
 bool is_wrong(Line const& line) {
-  return line.reading().row_known() && !line.reading().known();
+  return line.line_value().row_known() && !line.line_value().known();
 }
 
-/// What comes before the wrong index and the index itself: the same in all lines of one block. Empty where that is not the mistake.
+/// The text before the wrong index and the index itself: the same in all lines of one block. Empty for other
+/// mistakes.
 std::string_view block_of(Line const& line) {
   using Status = schema::NameLookup::Status;
-  if (line.reading().name_status != Status::index_out_of_range) return {};
+  if (line.line_value().name_status != Status::index_out_of_range) return {};
   std::string_view const name = line.context.source.slice(line.assignment().name);
   return name.substr(0, name.find(']') + 1);
 }
@@ -38,7 +39,7 @@ std::string_view block_of(Line const& line) {
 /// The further lines of a block are named, but have no findings of their own.
 void relate_block(Finding& finding, Line const& first) {
   constexpr std::size_t most_named = 8;
-  auto const& doubtful = first.context.list.readings.doubtful();
+  auto const& doubtful = first.context.list.line_values.doubtful();
   std::string_view const block = block_of(first);
   auto const* next = std::upper_bound(doubtful.data(), doubtful.data() + doubtful.size(), first.number);
   for (; next != doubtful.data() + doubtful.size() && finding.related.size() < most_named; ++next) {
@@ -92,7 +93,7 @@ void index_out_of_range(ListContext const& context, Report& report) {
     Reported& reported = report_line<describe>(report, line, line.assignment().name);
     // Which of their parameters are arrays is less certain of other kinds of lists.
     bool const is_certain = context.list.kind == configuration::ListKind::axis ||
-                            line.reading().name_status == Reading::NameStatus::index_out_of_range;
+                            line.line_value().name_status == LineValue::NameStatus::index_out_of_range;
     if (!is_certain) reported.severity = Severity::note;
   });
 }

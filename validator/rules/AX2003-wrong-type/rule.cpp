@@ -39,7 +39,7 @@ SentenceRef headline(schema::Parameter const& parameter) {
 constexpr std::string_view no_boolean = "1019";
 constexpr std::string_view no_number = "1001138";
 
-/// What a word for a switch means, in English or German; empty for other words.
+/// The meaning of a word for a switch, in English or German; empty for other words.
 std::string_view switch_meant(std::string_view word) {
   constexpr std::array<std::string_view, 6> on{"ON", "YES", "EIN", "AN", "JA", "WAHR"};
   constexpr std::array<std::string_view, 5> off{"OFF", "NO", "AUS", "NEIN", "FALSCH"};
@@ -50,7 +50,7 @@ std::string_view switch_meant(std::string_view word) {
 
 /// Where its numbers have names, the value was perhaps meant as one of them.
 void name_numbers(Finding& finding, Line const& line, std::string const& value) {
-  schema::Parameter const& parameter = *line.reading().row;
+  schema::Parameter const& parameter = *line.line_value().row;
   if (parameter.number_names.empty()) return;
   finding.notes.push_back(message_of(says::parameter_values, Argument{"values", allowed_values(parameter)}));
   auto const named = std::find_if(parameter.number_names.begin(), parameter.number_names.end(),
@@ -60,20 +60,20 @@ void name_numbers(Finding& finding, Line const& line, std::string const& value) 
                                   });
   if (named == parameter.number_names.end()) return;
   std::string const number = std::to_string(named->number.value_or(0));
-  finding.fix = replace_by(line.place(line.reading().text), number,
+  finding.fix = replace_by(line.place(line.line_value().text), number,
                            message(says::parameter_fix, {{"replacement", number}}));
 }
 
 void describe(Finding& finding, Line const& line) {
-  schema::Parameter const& parameter = *line.reading().row;
-  std::string const value = line.text(line.reading().text);
+  schema::Parameter const& parameter = *line.line_value().row;
+  std::string const value = line.text(line.line_value().text);
   finding.message =
       message_of(headline(parameter), Argument{"parameter", line.name()}, Argument{"value", value});
   if (parameter.type == schema::DataType::boolean) {
     set_reaction(finding, says::no_switch);
     finding.control->message = no_boolean;
     if (std::string const number(switch_meant(value)); !number.empty()) {
-      finding.fix = replace_by(line.place(line.reading().text), number,
+      finding.fix = replace_by(line.place(line.line_value().text), number,
                                message(says::parameter_fix, {{"replacement", number}}));
     }
   }
@@ -85,19 +85,19 @@ void describe(Finding& finding, Line const& line) {
     return;
   }
   if (describe_thousands(finding, value)) return;
-  schema::NumberReading const reading = schema::read_real(value);
-  double const real = reading.number;
-  if (reading.status != schema::NumberStatus::good) return;
+  schema::NumberReading const line_value = schema::read_real(value);
+  double const real = line_value.number;
+  if (line_value.status != schema::NumberStatus::good) return;
   if (real != std::floor(real) || std::abs(real) >= 1e15) return;
   std::string const whole = format_exact(real);
-  finding.fix = replace_by(line.place(line.reading().text), whole,
+  finding.fix = replace_by(line.place(line.line_value().text), whole,
                            message(says::parameter_fix, {{"replacement", whole}}));
 }
 
 void wrong_type(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    if (line.reading().status != ReadingStatus::wrong_type) return;
-    report_line<describe>(report, line, line.reading().text);
+    if (line.line_value().status != ReadingStatus::wrong_type) return;
+    report_line<describe>(report, line, line.line_value().text);
   });
 }
 

@@ -50,23 +50,23 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, s
 
 void out_of_data_range_in_list(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    if (line.reading().status != ReadingStatus::out_of_data_range || !line.reading().known()) return;
+    if (line.line_value().status != ReadingStatus::out_of_data_range || !line.line_value().known()) return;
     Span const value = line.assignment().value;
     report.later(line.place(value), [line](Finding& finding) {
-      Reading const& reading = line.reading();
-      describe(finding, *reading.row, reading.slot, line.text(line.assignment().value),
-               reading.value.number > 0);
+      LineValue const& line_value = line.line_value();
+      describe(finding, *line_value.row, line_value.slot, line.text(line.assignment().value),
+               line_value.value.number > 0);
     });
   });
 }
 
 void out_of_data_range(AxisContext const& context, Report& report) {
   for_each_doubtful(context, [&](AxisLine const& line) {
-    if (line.reading().status != ReadingStatus::out_of_data_range || !line.reading().known()) return;
+    if (line.line_value().status != ReadingStatus::out_of_data_range || !line.line_value().known()) return;
     report.later(line.place(), [line](Finding& finding) {
       SourceText const& source = line.context.sources[line.list().source];
-      describe(finding, line.context, line.reading().slot, source.utf8(line.assignment().value),
-               line.reading().value.number > 0);
+      describe(finding, line.context, line.line_value().slot, source.utf8(line.assignment().value),
+               line.line_value().value.number > 0);
     });
   });
   for (ReferenceProblem const& problem : context.reference_problems) {

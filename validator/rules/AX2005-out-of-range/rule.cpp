@@ -102,30 +102,31 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, d
 
 /// In the numbers of the list: which kind of axis they are for is not known here.
 void describe_line(Finding& finding, Line const& line) {
-  Reading const& reading = line.reading();
-  Wording const range = range_text(*reading.row, {}, false);
+  LineValue const& line_value = line.line_value();
+  Wording const range = range_text(*line_value.row, {}, false);
   finding.message =
       message_of(says::headline, Argument{"parameter", finding.parameter}, Argument{"range", range});
-  say_nearest(finding, *reading.row, reading.value.number);
+  say_nearest(finding, *line_value.row, line_value.value.number);
 }
 
 void out_of_range_in_list(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    Reading const& reading = line.reading();
-    bool const has_value = reading.known() && reading.status == ReadingStatus::value;
-    if (!has_value || !is_wrong(*reading.row, reading.value.number)) return;
+    LineValue const& line_value = line.line_value();
+    bool const has_value = line_value.known() && line_value.status == ReadingStatus::value;
+    if (!has_value || !is_wrong(*line_value.row, line_value.value.number)) return;
     report_line<describe_line>(report, line, line.assignment().value);
   });
 }
 
 void out_of_range(AxisContext const& context, Report& report) {
   for_each_doubtful(context, [&](AxisLine const& line) {
-    Reading const& reading = line.reading();
-    if (!reading.known() || reading.status != ReadingStatus::value) return;
-    double const value = reading.value.number;
-    if (!is_wrong(*reading.row, value) || is_number_of_default_list(line.list(), *reading.row, value)) return;
+    LineValue const& line_value = line.line_value();
+    if (!line_value.known() || line_value.status != ReadingStatus::value) return;
+    double const value = line_value.value.number;
+    if (!is_wrong(*line_value.row, value) || is_number_of_default_list(line.list(), *line_value.row, value))
+      return;
     report.later(line.place(), [line](Finding& finding) {
-      describe(finding, line.context, line.reading().slot, line.reading().value.number);
+      describe(finding, line.context, line.line_value().slot, line.line_value().value.number);
     });
   });
   for (schema::Slot const slot : context.values.referenced_slots()) {

@@ -1,7 +1,7 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
-#include "validator/values/readings.hpp"
+#include "validator/values/line_values.hpp"
 
 #include <cstdint>
 #include <unordered_map>
@@ -25,8 +25,8 @@ void describe(Finding& finding, Line const& line, grammar::Assignment const& lat
   finding.message =
       message(says::headline, {{"parameter", line.name()}, {"line", std::to_string(later.line)}});
   finding.related.push_back({.place = line.place(later.value), .message = message(says::related)});
-  // The last line applies, so the earlier one is ignored. As a comment, a line with a directive would apply to the next
-  // line.
+  // The last line applies, so the earlier one is ignored. As a comment, a line with a directive would apply
+  // to the next line.
   grammar::Assignment const& assignment = line.assignment();
   SourceText const& source = line.context.source;
   if (source.slice(source.line_span(assignment.line)).find("axisc:") != std::string_view::npos) return;
@@ -35,14 +35,14 @@ void describe(Finding& finding, Line const& line, grammar::Assignment const& lat
 }
 
 void duplicate_parameter(ListContext const& context, Report& report) {
-  if (!context.list.readings.has_repetitions()) return;
+  if (!context.list.line_values.has_repetitions()) return;
   std::unordered_map<schema::Slot, std::uint32_t> last;  // index + 1; 0: not set yet
-  Readings const& readings = context.list.readings;
-  for (std::uint32_t i = 0; i < readings.size(); ++i) {
+  LineValues const& line_values = context.list.line_values;
+  for (std::uint32_t i = 0; i < line_values.size(); ++i) {
     // A broken line sets nothing, so it repeats nothing.
-    Reading const reading = readings[i];
-    if (!reading.usable()) continue;
-    std::uint32_t const before = std::exchange(last[reading.slot], i + 1);
+    LineValue const line_value = line_values[i];
+    if (!line_value.usable()) continue;
+    std::uint32_t const before = std::exchange(last[line_value.slot], i + 1);
     if (before == 0) continue;
     std::uint32_t const earlier = before - 1;
     Place const place = place_of(context, context.list.tree.assignments[earlier].value);

@@ -17,12 +17,12 @@ namespace axisc::validator::checks {
 namespace {
 
 void describe(Finding& finding, Line const& line) {
-  schema::Parameter const& parameter = *line.reading().row;
-  std::string const value = line.text(line.reading().text);
+  schema::Parameter const& parameter = *line.line_value().row;
+  std::string const value = line.text(line.line_value().text);
   finding.message = message_of(says::headline, Argument{"value", value}, Argument{"parameter", line.name()});
   finding.notes.push_back(message_of(says::parameter_values, Argument{"values", allowed_values(parameter)}));
   if (parameter.symbols.empty()) {
-    finding.control.reset();  // what it makes of a number that means nothing is not documented
+    finding.control.reset();  // its reaction to an unknown number is not documented
   } else {
     set_reaction(finding, says::reaction);
   }
@@ -33,19 +33,19 @@ void describe(Finding& finding, Line const& line) {
   }
   if (suggestions.empty()) return;
   std::string const best(suggestions.front());
-  finding.fix = replace_by(line.place(line.reading().text), best,
+  finding.fix = replace_by(line.place(line.line_value().text), best,
                            message_of(says::parameter_fix, Argument{"replacement", best}));
 }
 
 /// One of the words that `|` joins is nearly one of the parameter's.
 bool is_misspelt(Line const& line) {
-  std::string const value = line.text(line.reading().text);
+  std::string const value = line.text(line.line_value().text);
   std::string_view rest = value;
   while (true) {
     std::size_t const bar = rest.find('|');
     std::string_view const word = ascii::trimmed(rest.substr(0, bar));
-    bool const is_known = schema::read_symbol(*line.reading().row, word).symbol != nullptr;
-    if (!is_known && !schema::suggest_symbols(*line.reading().row, word).empty()) return true;
+    bool const is_known = schema::read_symbol(*line.line_value().row, word).symbol != nullptr;
+    if (!is_known && !schema::suggest_symbols(*line.line_value().row, word).empty()) return true;
     if (bar == std::string_view::npos) return false;
     rest.remove_prefix(bar + 1);
   }
@@ -53,8 +53,8 @@ bool is_misspelt(Line const& line) {
 
 void unknown_symbol(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    if (line.reading().status != ReadingStatus::unknown_symbol) return;
-    Reported& reported = report_line<describe>(report, line, line.reading().text);
+    if (line.line_value().status != ReadingStatus::unknown_symbol) return;
+    Reported& reported = report_line<describe>(report, line, line.line_value().text);
     // The documents of other kinds of lists do not know every word.
     bool const is_certain = context.list.kind == configuration::ListKind::axis || is_misspelt(line);
     if (!is_certain) reported.severity = Severity::note;

@@ -22,20 +22,21 @@ std::size_t characters(std::string_view utf8) {
 }
 
 void describe(Finding& finding, Line const& line) {
-  std::size_t const length = characters(line.reading().value.text);
+  std::size_t const length = characters(line.line_value().value.text);
   finding.message = message(says::headline, {{"length", std::to_string(length)},
                                              {"parameter", line.name()},
-                                             {"limit", std::to_string(line.reading().row->max_length)}});
+                                             {"limit", std::to_string(line.line_value().row->max_length)}});
   set_reaction(finding, says::reaction);
 }
 
 void string_too_long(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    Reading const& reading = line.reading();
-    if (!reading.row_known() || reading.status != ReadingStatus::value) return;
-    std::size_t const most = reading.row->max_length;
-    if (most == 0 || reading.value.text.size() <= most || characters(reading.value.text) <= most) return;
-    report_line<describe>(report, line, reading.text);
+    LineValue const& line_value = line.line_value();
+    if (!line_value.row_known() || line_value.status != ReadingStatus::value) return;
+    std::size_t const most = line_value.row->max_length;
+    if (most == 0 || line_value.value.text.size() <= most || characters(line_value.value.text) <= most)
+      return;
+    report_line<describe>(report, line, line_value.text);
   });
 }
 

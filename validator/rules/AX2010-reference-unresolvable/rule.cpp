@@ -27,15 +27,15 @@ bool exists(AxisContext const& context, std::uint32_t p_axis) {
 
 /// References to nothing in lines that a later one of their list overwrites, which resolving never sees.
 void report_overwritten(AxisContext const& context, LoadedList const& list, Report& report) {
-  for (std::uint32_t const number : list.readings.without_value()) {
-    Reading const reading = list.readings[number];
-    if (!reading.known() || reading.status != ReadingStatus::reference) continue;
-    bool const applies = list.readings.last_of(reading.slot) == number + 1;
-    if (applies || exists(context, reading.reference.p_axis)) continue;
+  for (std::uint32_t const number : list.line_values.without_value()) {
+    LineValue const line_value = list.line_values[number];
+    if (!line_value.known() || line_value.status != ReadingStatus::reference) continue;
+    bool const applies = list.line_values.last_of(line_value.slot) == number + 1;
+    if (applies || exists(context, line_value.reference.p_axis)) continue;
     ReferenceProblem const problem{
-        .slot = reading.slot, .p_axis = reading.reference.p_axis, .target = {}, .circle = {}};
+        .slot = line_value.slot, .p_axis = line_value.reference.p_axis, .target = {}, .circle = {}};
     Finding& finding = report.add(Place{.source = list.source, .span = list.tree.assignments[number].value},
-                                  context.values.row(reading.slot), reading.slot,
+                                  context.values.row(line_value.slot), line_value.slot,
                                   message(says::headline, {{"p_axis", named(problem)}}));
     set_reaction(finding, says::overwritten);
   }

@@ -32,8 +32,8 @@ std::string_view structure(std::string_view pattern) {
   return pattern.substr(0, pattern.find_first_of("[."));
 }
 
-/// The limiting parameter: at the same index, else at index 0. Entries of another structure have the same index only
-/// where a list sets it: jog speed 3 does not belong to gear 3 of a machine with one gear.
+/// The limiting parameter: at the same index, else at index 0. Entries of another structure have the same
+/// index only where a list sets it: jog speed 3 does not belong to gear 3 of a machine with one gear.
 std::optional<Slot> limiting_slot(EffectiveValues const& values, Slot limited, std::uint16_t number) {
   schema::Parameter const& parameter = values.row(limited);
   std::uint32_t const index = parameter.index_count() == 0 ? 0 : schema::indices_of(parameter, limited)[0];
@@ -128,20 +128,20 @@ void limit_by_parameter(AxisContext const& context, Report& report) {
   }
 }
 
-/// Both stand in one list of another kind: nothing is known about lists that it is used with.
+/// Both are in one list of another kind: nothing is known about lists that it is used with.
 void limit_in_list(ListContext const& context, Report& report) {
-  Readings const& readings = context.list.readings;
+  LineValues const& line_values = context.list.line_values;
   schema::Catalogue const& catalogue = context.list.catalogue;
   auto const value_of = [&](Slot slot) -> std::optional<std::uint32_t> {
-    std::uint32_t const last = readings.last_of(slot);
-    if (last == 0 || readings[last - 1].status != ReadingStatus::value) return std::nullopt;
+    std::uint32_t const last = line_values.last_of(slot);
+    if (last == 0 || line_values[last - 1].status != ReadingStatus::value) return std::nullopt;
     return last - 1;
   };
-  for (std::uint32_t line = 0; line < readings.size(); ++line) {
-    auto const slot = readings.slot(line);
+  for (std::uint32_t line = 0; line < line_values.size(); ++line) {
+    auto const slot = line_values.slot(line);
     if (!slot || value_of(*slot) != line) continue;
     schema::Parameter const& parameter = catalogue.parameter_of(*slot);
-    double const value = readings[line].value.number;
+    double const value = line_values[line].value.number;
     for (Side const side : {Side::minimum, Side::maximum}) {
       Limit const& limit = side == Side::minimum ? parameter.minimum : parameter.maximum;
       auto const rows = catalogue.find_number(limit.p_axis);
@@ -152,7 +152,7 @@ void limit_in_list(ListContext const& context, Report& report) {
                              : row.first_slot;
       auto const limiting = value_of(other);
       if (!limiting) continue;
-      double const bound = readings[*limiting].value.number;
+      double const bound = line_values[*limiting].value.number;
       bool const violated = side == Side::minimum ? schema::violates_minimum(value, bound, limit.open)
                                                   : schema::violates_maximum(value, bound, limit.open);
       if (!violated) continue;

@@ -46,38 +46,39 @@ BuildVersion needed_for(schema::Parameter const& parameter) {
   return family == families.end() ? BuildVersion{} : family->since;
 }
 
-bool is_time_delay(schema::Parameter const& parameter, Reading const& reading) {
+bool is_time_delay(schema::Parameter const& parameter, LineValue const& line_value) {
   constexpr double time_delay = 11;
   bool const is_type =
       parameter.name == "filter[].type" || parameter.name == "lr_param.add_interface.filter[].type";
-  return is_type && reading.status == ReadingStatus::value && reading.value.number == time_delay;
+  return is_type && line_value.status == ReadingStatus::value && line_value.value.number == time_delay;
 }
 
 /// The build that the line needs, if it is newer than that of the control; else empty.
-std::string missing_build(schema::Parameter const& parameter, Reading const& reading,
+std::string missing_build(schema::Parameter const& parameter, LineValue const& line_value,
                           BuildVersion const& build) {
   BuildVersion const needed = needed_for(parameter);
   if (build < needed) return to_text(needed);
-  if (is_time_delay(parameter, reading) && !builds::has_time_delay(build)) {
+  if (is_time_delay(parameter, line_value) && !builds::has_time_delay(build)) {
     return "V2.11.2013, V2.11.2803, V3.00.3013";
   }
-  if (reading.quoted && build < builds::quotes) return to_text(builds::quotes);
+  if (line_value.quoted && build < builds::quotes) return to_text(builds::quotes);
   return {};
 }
 
-SentenceRef headline(schema::Parameter const& parameter, Reading const& reading, BuildVersion const& build) {
+SentenceRef headline(schema::Parameter const& parameter, LineValue const& line_value,
+                     BuildVersion const& build) {
   if (build < needed_for(parameter)) return says::headline;
-  return is_time_delay(parameter, reading) ? says::time_delay : says::quotes;
+  return is_time_delay(parameter, line_value) ? says::time_delay : says::quotes;
 }
 
-void describe(Finding& finding, AxisContext const& context, Reading const& reading) {
+void describe(Finding& finding, AxisContext const& context, LineValue const& line_value) {
   BuildVersion const& build = *context.machine.build;
-  schema::Parameter const& parameter = *reading.row;
-  name_parameter(finding, parameter, reading.slot);
-  finding.message =
-      message(headline(parameter, reading, build), {{"parameter", finding.parameter},
-                                                    {"needed", missing_build(parameter, reading, build)},
-                                                    {"build", to_text(build)}});
+  schema::Parameter const& parameter = *line_value.row;
+  name_parameter(finding, parameter, line_value.slot);
+  finding.message = message(headline(parameter, line_value, build),
+                            {{"parameter", finding.parameter},
+                             {"needed", missing_build(parameter, line_value, build)},
+                             {"build", to_text(build)}});
 }
 
 void check_spindle(AxisContext const& context, BuildVersion const& build, Report& report) {
@@ -90,7 +91,8 @@ void check_spindle(AxisContext const& context, BuildVersion const& build, Report
   }
 }
 
-/// `#FILTER OFF` switches off what the program switched on: only HSC filters if the program uses no FIR filters.
+/// `#FILTER OFF` switches off what the program switched on: only HSC filters if the program uses no FIR
+/// filters.
 bool meant_for_fir(ProgramContext const& context, grammar::NcCommand const& command) {
   if (!is_fir_filter(context, command)) return false;
   if (command.command_switch != grammar::CommandSwitch::off) return true;
@@ -119,12 +121,12 @@ void newer_than_build(AxisContext const& context, Report& report) {
   BuildVersion const& build = *context.machine.build;
   for (LoadedList const* const list : lists_of(context)) {
     if (list == nullptr) continue;
-    for (std::size_t i = 0; i < list->readings.size(); ++i) {
-      Reading const reading = list->readings[i];
-      if (!reading.usable() || missing_build(*reading.row, reading, build).empty()) continue;
+    for (std::size_t i = 0; i < list->line_values.size(); ++i) {
+      LineValue const line_value = list->line_values[i];
+      if (!line_value.usable() || missing_build(*line_value.row, line_value, build).empty()) continue;
       Place const place{.source = list->source, .span = list->tree.assignments[i].value};
-      report.later(place,
-                   [&context, list, i](Finding& finding) { describe(finding, context, list->readings[i]); });
+      report.later(
+          place, [&context, list, i](Finding& finding) { describe(finding, context, list->line_values[i]); });
     }
   }
   check_spindle(context, build, report);

@@ -1,5 +1,6 @@
 #include "validator/engine/rule.hpp"
 
+#include "design/filter_kinds.hpp"
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
@@ -48,7 +49,7 @@ struct AllowedOrder {
 std::optional<AllowedOrder> allowed_order(FilterView const& filter) {
   bool const interface = filter.port == FilterPort::additional_interface;
   if (!filter.standard_type) {
-    bool const kernel = filter.is_hsc() || filter.type_number() == 8 || filter.type_number() == 12;
+    bool const kernel = filter.is_hsc() || design::find_hsc_kind(filter.type_number()) != nullptr;
     if (interface || !kernel) return std::nullopt;
     return AllowedOrder{.highest = design::longest_kernel_order, .reaction = Reaction::clipped};
   }

@@ -75,9 +75,8 @@ extern constinit Rule const ax3002{
     .name = "frequency-above-nyquist",
     .control = control_numbers<setpoint_refused, guard_refused, position_controller_refused>,
     .parameters =
-        "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype "
-        "filter_fir.fcut filter_fir.type vib_guard.freq vib_guard.mode ipc.stage[].filter.fg_f0 "
-        "ipc.stage[].filter[].fg_f0 "
+        "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype filter_fir.fcut "
+        "filter_fir.type vib_guard.freq vib_guard.mode ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 "
         "ipc.stage[].mode ipc.enable",
     .needs = Needs::cycle_time,
     .check = frequency_above_nyquist,

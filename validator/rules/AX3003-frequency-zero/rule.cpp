@@ -41,9 +41,8 @@ extern constinit Rule const ax3003{
     .name = "frequency-zero",
     .control = "110361",
     .parameters =
-        "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype "
-        "filter_fir.fcut filter_fir.type ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 "
-        "ipc.stage[].mode ipc.enable",
+        "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype filter_fir.fcut "
+        "filter_fir.type ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 ipc.stage[].mode ipc.enable",
     .check = frequency_zero,
 };
 

@@ -29,9 +29,6 @@ constexpr Sentence fir_quality{"{p_axis}: quality is for type 2, Gaussian",
 namespace axisc::validator::checks {
 namespace {
 
-constexpr int hsc_mean = 8;
-constexpr int hsc_novib = 12;
-
 /// The parameters that a type uses (manual "axis filters", table 3.1); every type uses order and share.
 struct Use {
   bool frequency = false;
@@ -41,8 +38,9 @@ struct Use {
 };
 
 Use use_of(int type) {
-  if (type == hsc_mean) return {.frequency = false, .prototype = true, .time_constant = true};
-  if (type == hsc_novib) return {.frequency = true, .prototype = true, .time_constant = true};
+  if (auto const* const hsc = design::find_hsc_kind(type)) {
+    return {.frequency = hsc->uses_frequency, .prototype = true, .time_constant = true};
+  }
   design::FilterKind const* const kind = design::find_filter_kind(type);
   if (kind == nullptr) return {};
   return {.frequency = kind->uses_frequency,
@@ -52,9 +50,8 @@ Use use_of(int type) {
 }
 
 bool has_kernel(FilterView const& filter) {
-  int const type = filter.type_number();
   return filter.port == FilterPort::setpoint && filter.is_hsc() && !filter.type_unusable() &&
-         (type == hsc_mean || type == hsc_novib);
+         design::find_hsc_kind(filter.type_number()) != nullptr;
 }
 
 /// The standard types for which `uses` is true: "BANDPASS, BANDSTOP".

@@ -1,5 +1,6 @@
 #include "validator/engine/rule.hpp"
 
+#include "design/filter_kinds.hpp"
 #include "validator/rules/filter_words.hpp"
 
 namespace axisc::validator::says {
@@ -25,15 +26,12 @@ bool is_undocumented(int type) {
   return type == 7 || type == 9 || type == 13;
 }
 
-bool is_hsc_type(int type) {
-  return type == 8 || type == 12;
-}
-
 void undocumented_type(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (filter.type_unusable()) return;
   int const type = filter.type_number();
-  bool const misplaced = filter.port == FilterPort::additional_interface && is_hsc_type(type);
+  bool const misplaced =
+      filter.port == FilterPort::additional_interface && design::find_hsc_kind(type) != nullptr;
   if (!is_undocumented(type) && !misplaced) return;
   Finding& finding = report.add(filter.type, {misplaced ? says::undocumented_type_interface : says::headline,
                                               {{"type", std::string(filter.type_word())}}});

@@ -26,7 +26,8 @@ namespace {
 
 constexpr double noticeable = 1e-3;
 
-/// What `CRIT_DAMPING` would do: close to half the sampling rate the bilinear transform makes poles negative.
+/// The overshoot with `CRIT_DAMPING`: close to half the sampling rate the bilinear transform makes poles
+/// negative.
 Message help_of(FilterContext const& context) {
   auto specification = context.axis.designs.specification(context.filter);
   if (!specification) return {says::help, {}};

@@ -42,7 +42,7 @@ std::string name_in_stage(EffectiveValue const& value) {
   return name.substr(name.find(behind_stage) + behind_stage.size());
 }
 
-/// Names of what is missing, and the control's numbers for it.
+/// Names of the missing parameters, and the control's numbers for them.
 class Missing {
  public:
   /// Unusable values have findings of their own.

@@ -27,7 +27,7 @@ void add_configured(SetValues& values, std::initializer_list<EffectiveValue cons
                [](EffectiveValue const* value) { return configured(*value) && value->value_place(); });
 }
 
-/// What a stage configures in the older and in the newer spelling, where both say the same thing; else nothing.
+/// The settings of one feature of a stage, in the older and in the newer spelling.
 struct Mixture {
   SetValues older;
   SetValues newer;

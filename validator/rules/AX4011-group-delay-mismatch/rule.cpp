@@ -18,8 +18,7 @@ constexpr Sentence headline{
     "the axes of the channel are out of step: their filter delays differ by {cycles} cycles ({milliseconds} "
     "ms)",
     "die Achsen des Kanals laufen nicht synchron: ihre Filterverzögerungen unterscheiden sich um {cycles} "
-    "Zyklen "
-    "({milliseconds} ms)"};
+    "Zyklen ({milliseconds} ms)"};
 constexpr Sentence odd{"axis \"{axis}\" is out of step with the others: `{filter}` makes the difference",
                        "Achse „{axis}“ läuft nicht mit den anderen: `{filter}` macht den Unterschied"};
 constexpr Sentence limit{
@@ -119,7 +118,8 @@ std::size_t companions(Delays const& delays, DelayedAxis const& of) {
                                                 [&](DelayedAxis const& axis) { return in_step(axis, of); }));
 }
 
-/// An axis that the others disagree with, one of those, and the filter of the former that makes the difference.
+/// An axis that the others disagree with, one of those, and the filter of the former that makes the
+/// difference.
 struct OddAxis {
   std::size_t index;
   std::size_t typical;

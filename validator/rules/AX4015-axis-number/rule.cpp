@@ -50,14 +50,14 @@ void check_default_list(LoadedMachine const& machine, Report& report) {
   LoadedList const* const list = machine.list_of_defaults();
   if (list == nullptr) return;
   schema::Slot const slot = schema::slot_of(row_at("kopf.achs_nr"));
-  for (std::size_t i = list->readings.size(); i-- > 0;) {
-    if (list->readings.slot(i) != slot) continue;
-    Reading const reading = list->readings[i];
-    if (reading.status != ReadingStatus::value) continue;
-    if (reading.value.number == 0) return;
+  for (std::size_t i = list->line_values.size(); i-- > 0;) {
+    if (list->line_values.slot(i) != slot) continue;
+    LineValue const line_value = list->line_values[i];
+    if (line_value.status != ReadingStatus::value) continue;
+    if (line_value.value.number == 0) return;
     Place const place{.source = list->source, .span = list->tree.assignments[i].value};
-    Finding& finding = report.add(place, *reading.row, slot,
-                                  {says::default_list, {{"number", number(reading.value.number)}}});
+    Finding& finding = report.add(place, *line_value.row, slot,
+                                  {says::default_list, {{"number", number(line_value.value.number)}}});
     react(finding, number_in_default_list, {says::reaction_aborts, {}});
     return;
   }

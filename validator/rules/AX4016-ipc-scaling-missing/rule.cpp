@@ -17,8 +17,7 @@ constexpr Sentence defaults{
     "P-AXIS-00205 to 00207: by default {denominator} µm per minute (0.001° per minute) are {numerator} "
     "increment",
     "P-AXIS-00205 bis 00207: mit den Standardwerten sind {denominator} µm je Minute (0,001° je Minute) "
-    "{numerator} "
-    "Inkrement"};
+    "{numerator} Inkrement"};
 constexpr Sentence mapping{"the process data must contain the additive velocity",
                            "die Prozessdaten müssen die additive Geschwindigkeit enthalten"};
 constexpr Sentence mapping_sercos{
@@ -64,8 +63,7 @@ extern constinit Rule const ax4016{
     .severity = Severity::warning,
     .control = "70607",
     .parameters =
-        "antr.v_reso_num antr.v_reso_denom antr.v_time_base ipc.enable antr.operation_mode "
-        "kenngr.antr_typ",
+        "antr.v_reso_num antr.v_reso_denom antr.v_time_base ipc.enable antr.operation_mode kenngr.antr_typ",
     .check = ipc_scaling_missing,
 };
 

@@ -28,7 +28,7 @@ void check_pair(configuration::CoupledPair const& pair, MachineContext const& co
   if (!pair.master || !pair.slave) return;
   auto const master_index = axis_numbered(context.machine, pair.master->number);
   auto const slave_index = axis_numbered(context.machine, pair.slave->number);
-  // What a gantry couples as well is AX4021.
+  // Axes that a gantry couples as well are reported by AX4021.
   if (!master_index || !slave_index || master_index == slave_index) return;
   if (master_of(context.machine, *slave_index) == master_index) return;
   auto const master = delayed_axis(context, *master_index);

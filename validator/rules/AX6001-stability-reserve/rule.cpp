@@ -87,8 +87,8 @@ extern constinit Rule const ax6001{
     .name = "stability-reserve",
     .control = "50564",
     .parameters =
-        "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type "
-        "filters[].prototype filters[].order filters[].enable",
+        "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "
+        "filters[].order filters[].enable",
     .needs = Needs::cycle_time,
     .check = stability_reserve,
 };

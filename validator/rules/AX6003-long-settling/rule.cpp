@@ -84,8 +84,8 @@ extern constinit Rule const ax6003{
     .name = "long-settling",
     .severity = Severity::warning,
     .parameters =
-        "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type "
-        "filters[].prototype filters[].order filters[].enable filters[].share_percent",
+        "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "
+        "filters[].order filters[].enable filters[].share_percent",
     .needs = Needs::cycle_time,
     .check = long_settling,
 };

@@ -47,8 +47,8 @@ extern constinit Rule const ax6004{
     .name = "bandstop-overshoot",
     .severity = Severity::warning,
     .parameters =
-        "filter[].fg_f0 filter[].guete filter[].type filter[].prototype filter[].order "
-        "filter[].enable filter[].share_percent",
+        "filter[].fg_f0 filter[].guete filter[].type filter[].prototype filter[].order filter[].enable "
+        "filter[].share_percent",
     .needs = Needs::cycle_time,
     .check = bandstop_overshoot,
 };

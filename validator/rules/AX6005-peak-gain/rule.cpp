@@ -21,8 +21,7 @@ constexpr Sentence label_at_most{
 constexpr Sentence note{
     "peaks of velocity and acceleration may grow by this factor; every band-stop and all-pass does this",
     "Spitzen von Geschwindigkeit und Beschleunigung können um diesen Faktor wachsen; jede Bandsperre und "
-    "jeder "
-    "Allpass tut das"};
+    "jeder Allpass tut das"};
 constexpr Sentence filter_here{"`{filter}` is part of the chain", "`{filter}` gehört zur Kette"};
 
 }  // namespace axisc::validator::says
@@ -63,8 +62,8 @@ extern constinit Rule const ax6005{
     .name = "peak-gain",
     .severity = Severity::note,
     .parameters =
-        "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type "
-        "filters[].prototype filters[].order filters[].enable filters[].share_percent",
+        "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "
+        "filters[].order filters[].enable filters[].share_percent",
     .needs = Needs::cycle_time,
     .check = peak_gain,
 };

@@ -11,8 +11,7 @@ constexpr Sentence contributions{"in cycles: {shares}", "in Zyklen: {shares}"};
 constexpr Sentence note{
     "above 100 ms every stop, corner and feed hold lags noticeably; is the frequency in Hz, the time in µs?",
     "über 100 ms kommt jeder Halt, jede Ecke und jeder Vorschubhalt merklich später; ist die Frequenz in Hz, "
-    "die Zeit "
-    "in µs?"};
+    "die Zeit in µs?"};
 
 }  // namespace axisc::validator::says
 

@@ -73,7 +73,8 @@ class Searches {
     Finding& finding =
         report_.add(search.named.place, {says::unnamed_list, {{"parameter", search.named.text}}});
     finding.help.push_back({says::help_unnamed, {}});
-    react(finding, {says::reaction_unnamed, {}});
+    // What becomes of a channel without a list is not documented.
+    if (search.wanted != configuration::ListKind::channel) react(finding, {says::reaction_unnamed, {}});
   }
 
   void tell_missing(ListSearch const& search) const {

@@ -44,7 +44,7 @@ class Numbers {
 
 void axis_unknown(MachineContext const& context, Report& report) {
   LoadedMachine const& machine = context.machine;
-  // Of a machine that lacks the list of an axis, nobody knows the numbers.
+  // If the list of an axis is missing, the numbers of the machine are unknown.
   if (!machine.start_up || !machine.knows_all_axes) return;
   Numbers const numbers(machine, report);
   for (StartUpChannel const& channel : machine.start_up->channels) {

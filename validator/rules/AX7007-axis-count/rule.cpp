@@ -52,7 +52,7 @@ void check_machine(MachineContext const& context, Report& report) {
   Place const place = count ? count->place : Place{.source = source, .span = {.begin = begin, .end = begin}};
   Message message{says::no_count, {}};
   if (count) message = {says::no_axis, {{"number", std::to_string(count->number)}}};
-  // Which of its messages the control gives then is not documented.
+  // It is not documented which of its messages the control then gives.
   report.add(place, std::move(message)).control.reset();
 }
 

@@ -1,0 +1,152 @@
+// Hovers over names, values, numbers and commands.
+#include "support/catch.hpp"
+#include "support/conversation.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace axisc::test;
+
+namespace {
+
+Json hover(std::string const& path, std::string const& text, int line, int character) {
+  return Conversation().open(path, text).ask_at("textDocument/hover", path, line, character).results()[0];
+}
+
+std::string hover_text(std::string const& path, std::string const& text, int line, int character) {
+  auto const shown = hover(path, text, line, character);
+  return shown.is_null() ? "" : shown["contents"]["value"].get<std::string>();
+}
+
+bool contains(std::string const& text, std::string const& piece) {
+  INFO(text);
+  CHECK(text.find(piece) != std::string::npos);
+  return text.find(piece) != std::string::npos;
+}
+
+TemporaryFolder const& machine_folder() {
+  static TemporaryFolder const folder;
+  folder.write("machine.json", R"({"default_list": "all.lis", "axes": [{"name": "X", "list": "x.lis"}]})");
+  folder.write("all.lis", "# all\nfilter[0].fg_f0  42\nfilter[0].type BANDSTOP\n");
+  folder.write("x.lis", "filter[0].order 2\nfilter[0].fg_f0  17\nfilter[0].fg_f0  18\n");
+  return folder;
+}
+
+TemporaryFolder const& filter_folder() {
+  static TemporaryFolder const folder;
+  folder.write("machine.json",
+               R"({"cycle_time_us": 1000, "default_list": "all.lis",
+                   "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}]})");
+  folder.write("all.lis", "getriebe[0].dynamik.vb_max 500000\nfilter[0].fg_f0  42\n");
+  folder.write("x.lis",
+               "kopf.achs_nr 1\nfilter[0].enable 1\nfilter[0].order 2\nfilter[0].prototype "
+               "BUTTERWORTH\nfilter[0].type LOWPASS\nfilter[0].fg_f0 17\n");
+  folder.write("y.lis", "kopf.achs_nr 2\n");
+  return folder;
+}
+
+}  // namespace
+
+TEST_CASE("hovering over a name of each kind of list shows its page") {
+  for (auto const* const path :
+       {"samples/controller/listen/hochlauf.lis", "samples/controller/listen/sda_mds1.lis",
+        "samples/controller/listen/werkz_d1.lis", "samples/controller/listen/achskw1.lis",
+        "samples/controller/listen/hand_mds.lis", "samples/controller/listen/rtconf.lis",
+        "samples/controller/listen/nullp_d1.lis"}) {
+    INFO(path);
+    auto const text = text_of(source_path(path));
+    int line = 0;
+    std::size_t shown = 0;
+    for (std::size_t begin = 0; begin < text.size() && shown == 0;
+         begin = text.find('\n', begin) + 1, ++line) {
+      if (text.find_first_of("#\r\n/", begin) == begin) continue;
+      shown = hover_text(source_path(path), text, line, 1).size();
+    }
+    CHECK(shown > 20);
+  }
+}
+
+TEST_CASE("hovering over a value shows its quantity and its meaning") {
+  contains(hover_text("/x.lis", "filter[0].time_constant 20000\n", 0, 26), "20000 = 20 ms");
+  contains(hover_text("/x.lis", "filter[0].fg_f0 42.5\n", 0, 17), "42.5 Hz");
+  contains(hover_text("/x.lis", "filter[0].type  BANDSTOP\n", 0, 18), "BANDSTOP: band-stop");
+  contains(hover_text("/x.lis", "kenngr.antr_typ 2\n", 0, 16), "2: SERCOS");
+  contains(hover_text("/x.lis", "filter[0].type  4\n", 0, 16), "4: band-stop");
+}
+
+TEST_CASE("hovering over a name says which value is in effect and which list it comes from") {
+  auto const list = machine_folder() / "x.lis";
+  auto const text = text_of(list);
+  contains(hover_text(list, text, 1, 3), "In effect: 18 Hz, from x.lis, line 3.");
+  CHECK(hover_text(list, text, 2, 3).find("In effect") == std::string::npos);
+}
+
+TEST_CASE("clients without Markdown get plain text") {
+  auto const results =
+      Conversation("utf-16", {{"textDocument", {{"hover", {{"contentFormat", {"plaintext"}}}}}}})
+          .open("/x.lis", "filter[0].order 2\n")
+          .ask_at("textDocument/hover", "/x.lis", 0, 2)
+          .results();
+  CHECK(results[0]["contents"]["kind"] == "plaintext");
+}
+
+TEST_CASE("pointing at a filter's parameter shows what the filter does") {
+  auto const& folder = filter_folder();
+  auto const path = folder / "x.lis";
+  auto const shown = [&](Json const& capabilities, int character) {
+    return Conversation("utf-32", capabilities)
+        .open(path, folder.read("x.lis"))
+        .ask_at("textDocument/hover", path, 5, character)
+        .results()[0]["contents"]["value"]
+        .get<std::string>();
+  };
+  for (int const character : {3, 18}) {
+    auto const text = shown(Json::object(), character);
+    // sqrt(2) / (2 pi 17 Hz); exp(-pi), 4.32 %, of a Butterworth filter of order 2 in continuous time; -3 dB
+    // where it was asked for.
+    CHECK(text.find("Delay 13.2 ms at 0 Hz, a step overshoots by 4.34 %, -3 dB at 17 Hz.") !=
+          std::string::npos);
+    CHECK(text.find("](data:image/svg+xml,%3Csvg") != std::string::npos);
+  }
+  Json const plain = {{"textDocument", {{"hover", {{"contentFormat", {"plaintext"}}}}}}};
+  CHECK(shown(plain, 3).find("Delay 13.2 ms") != std::string::npos);
+  CHECK(shown(plain, 3).find("svg") == std::string::npos);
+}
+
+TEST_CASE("a hover says why a filter has no figures") {
+  auto const shown = [](std::string const& text) {
+    auto const result =
+        Conversation().open("/x.lis", text).ask_at("textDocument/hover", "/x.lis", 0, 3).results()[0];
+    return result["contents"]["value"].get<std::string>();
+  };
+  std::string const values = "filter[0].fg_f0 17\nfilter[0].type LOWPASS\nfilter[0].order 2\n";
+  CHECK(shown(values + "filter[0].enable 1\n").find("No figures") == std::string::npos);
+  CHECK(shown(values + "filter[0].enable 0\n").find("No figures: this filter is switched off.") !=
+        std::string::npos);
+  CHECK(shown(values + "filter[0].enable 1\nfilter[0].share_percent oft\n")
+            .find("No figures: a value of this filter cannot be used.") != std::string::npos);
+}
+
+TEST_CASE("pointing at #FILTER shows the kernels that result") {
+  TemporaryFolder const folder;
+  folder.write(
+      "machine.json",
+      R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}],
+                   "programs": ["part.nc"]})");
+  folder.write("x.lis", "kopf.achs_nr 1\nfilter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 10\n");
+  folder.write("y.lis", "kopf.achs_nr 2\n");
+  std::string const text =
+      "N1 G01 X1\n#FILTER [ORDER=20]\n#FILTER [SHARE=50]\n#FILTER OFF\n#FILTER ON [HSC]\n";
+  folder.write("part.nc", text);
+  Conversation conversation;
+  conversation.open(folder / "part.nc", text);
+  for (int line = 0; line < 5; ++line) conversation.ask_at("textDocument/hover", folder / "part.nc", line, 3);
+  auto const shown = conversation.results();
+  auto const said = [&](std::size_t line) { return shown[line]["contents"]["value"].get<std::string>(); };
+  CHECK(shown[0].is_null());
+  // A moving average of order 20 has 21 taps and delays by 10 cycles.
+  CHECK(
+      said(1) ==
+      "In force from here: ORDER=20.\n\n- X: moving average of order 20, delay 10 ms\n- Y: no FIR filter\n");
+  CHECK(said(2).starts_with("In force from here: ORDER=20 SHARE=50."));
+  CHECK(said(3).find("are off") != std::string::npos);
+  CHECK(said(4).find("HSC") != std::string::npos);
+}
