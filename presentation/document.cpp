@@ -6,12 +6,37 @@
 
 namespace axisc::presentation {
 
-Field data(std::string key, Value value) {
-  return {std::move(key), axisc::says::as_given, std::move(value), Audience::programs};
+Field data(std::string key, Value value, std::string member) {
+  return {.key = std::move(key),
+          .label = axisc::says::as_given,
+          .value = std::move(value),
+          .audience = Audience::programs,
+          .member = std::move(member)};
 }
 
 Field shown(Words label, Value value) {
-  return {{}, std::move(label), std::move(value), Audience::people};
+  return {.key = {}, .label = std::move(label), .value = std::move(value), .audience = Audience::people};
+}
+
+Column column(std::string key, Words label, Unit unit, std::string member) {
+  return {.key = std::move(key), .label = std::move(label), .unit = unit, .member = std::move(member)};
+}
+
+Column head_column(std::string key, Words label, Unit unit) {
+  return {.key = std::move(key), .label = std::move(label), .unit = unit, .is_head = true};
+}
+
+Column data_column(std::string key, std::string member) {
+  return {.key = std::move(key),
+          .label = axisc::says::as_given,
+          .member = std::move(member),
+          .audience = Audience::programs};
+}
+
+std::vector<Column> data_columns(std::vector<std::string> keys) {
+  std::vector<Column> columns;
+  for (auto& key : keys) columns.push_back(data_column(std::move(key)));
+  return columns;
 }
 
 Section data_section(std::string key, std::vector<Field> fields) {

@@ -24,10 +24,11 @@ struct Field {
   Words label;
   Value value;
   Audience audience = Audience::all;
+  std::string member = {};  ///< where neighbours of one key form an object in JSON: its member
 };
 
 /// A field that only programs read, and one that only people see.
-[[nodiscard]] Field data(std::string key, Value value);
+[[nodiscard]] Field data(std::string key, Value value, std::string member = {});
 [[nodiscard]] Field shown(Words label, Value value);
 
 /// In JSON members of the enclosing object.
@@ -44,6 +45,14 @@ struct Column {
   Audience audience = Audience::all;
   bool is_head = false;  ///< identifies a row: repeated where a wide table is divided
 };
+
+[[nodiscard]] Column column(std::string key, Words label, Unit unit = Unit::none, std::string member = {});
+[[nodiscard]] Column head_column(std::string key, Words label, Unit unit = Unit::none);
+/// A column that only programs read.
+[[nodiscard]] Column data_column(std::string key, std::string member = {});
+[[nodiscard]] std::vector<Column> data_columns(std::vector<std::string> keys);
+
+using Row = std::vector<Value>;
 
 /// A sentence for people; the parts of it that programs need are fields.
 struct Paragraph {
@@ -99,13 +108,23 @@ struct Sections {
 struct Table {
   std::string key;
   std::vector<Column> columns = {};
-  std::vector<std::vector<Value>> rows = {};  ///< as many values as columns
+  std::vector<Row> rows = {};  ///< as many values as columns
   Audience audience = Audience::all;
   std::size_t most_shown =
       static_cast<std::size_t>(-1);  ///< rows that people see; then how many more there are
+  std::size_t left_out = 0;          ///< rows that are not kept because there were too many
   /// More about each row, or empty: in JSON further members of its object; people see it after the table.
   std::vector<Section> details = {};
 };
+
+/// A row for each element.
+template <class Range, class ToRow>
+[[nodiscard]] Table table_of(std::string key, std::vector<Column> columns, Range const& elements,
+                             ToRow to_row) {
+  Table table{.key = std::move(key), .columns = std::move(columns)};
+  for (auto const& element : elements) table.rows.push_back(to_row(element));
+  return table;
+}
 
 /// A row of fields; the first row makes the columns, of which people see the first as head.
 void add_row(Table& table, std::vector<Field> fields);

@@ -82,6 +82,11 @@ class JsonWriter {
     for (double const number : numbers.values) json_.raw(json_number(number));
     json_.end_array();
   }
+  void operator()(NameLists const& lists) {
+    json_.begin_array();
+    for (auto const& names : lists) (*this)(names);
+    json_.end_array();
+  }
   void operator()(Wording const& wording) { json_.string(wording.in(language_)); }
   void operator()(Link const& link) { json_.string(link.text); }
 
@@ -91,12 +96,23 @@ class JsonWriter {
   }
   void fields(std::vector<Field> const& all) {
     for (auto const& field : all) {
-      if (is_for_programs(field.audience)) member(field.key, field.value);
+      if (is_for_programs(field.audience)) member(field.key, field.member, field.value);
     }
+    close_members();
   }
-  void member(std::string_view key, Value const& value) {
-    json_.key(key);
+  /// Neighbours of one key with different members are one object.
+  void member(std::string_view key, std::string_view name, Value const& value) {
+    if (name.empty() || key != open_) close_members();
+    if (!name.empty() && open_.empty()) {
+      json_.key(open_ = key);
+      json_.begin_object();
+    }
+    name.empty() ? json_.key(key) : json_.key(escaped_key(name));
     std::visit(*this, value.form());
+  }
+  void close_members() {
+    if (!open_.empty()) json_.end_object();
+    open_ = {};
   }
   void object(Section const& section) {
     json_.begin_object();
@@ -104,32 +120,17 @@ class JsonWriter {
     members(section.blocks);
     json_.end_object();
   }
-  /// Neighbouring columns of one key with different members are one object.
   void row(std::vector<Column> const& columns, std::vector<Value> const& row) {
-    std::string_view open;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       auto const& column = columns[i];
-      if (!is_for_programs(column.audience)) continue;
-      if (!open.empty() && (column.member.empty() || column.key != open)) {
-        json_.end_object();
-        open = {};
-      }
-      if (column.member.empty()) {
-        member(column.key, row[i]);
-        continue;
-      }
-      if (open.empty()) {
-        json_.key(column.key);
-        json_.begin_object();
-        open = column.key;
-      }
-      member(escaped_key(column.member), row[i]);
+      if (is_for_programs(column.audience)) member(column.key, column.member, row[i]);
     }
-    if (!open.empty()) json_.end_object();
+    close_members();
   }
 
   JsonStream json_;
   Language language_;
+  std::string_view open_;  ///< key of the object that members are added to
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ constexpr Sentence percent{"%", "%"};
 constexpr Sentence micro_metres{"µm", "µm"};
 constexpr Sentence milli_metres{"mm", "mm"};
 constexpr Sentence velocity{"mm/s", "mm/s"};
+constexpr Sentence slow_velocity{"µm/s", "µm/s"};
 constexpr Sentence feed{"mm/min", "mm/min"};
 constexpr Sentence turning{"°/s", "°/s"};
 constexpr Sentence small_acceleration{"mm/s²", "mm/s²"};
@@ -49,9 +50,11 @@ constexpr std::array units{
     UnitRow{Unit::degree, says::degrees, "_deg"},
     UnitRow{Unit::radian, says::radians, "_rad"},
     UnitRow{Unit::percent, says::percent, "_percent"},
+    UnitRow{Unit::share, says::percent, "_share"},
     UnitRow{Unit::micrometre, says::micro_metres, "_um"},
     UnitRow{Unit::millimetre, says::milli_metres, "_mm"},
     UnitRow{Unit::millimetre_per_second, says::velocity, "_mm_per_s"},
+    UnitRow{Unit::micrometre_per_second, says::slow_velocity, "_um_per_s"},
     UnitRow{Unit::millimetre_per_minute, says::feed, "_mm_per_min"},
     UnitRow{Unit::degree_per_second, says::turning, "_deg_per_s"},
     UnitRow{Unit::millimetre_per_second_squared, says::small_acceleration, "_mm_per_s2"},
@@ -84,7 +87,9 @@ Wording number_of(double value, Digits digits) {
 std::string number_text(Quantity const& quantity, Language language) {
   if (std::isnan(quantity.value)) return "-";
   if (std::isinf(quantity.value)) return quantity.value > 0 ? "∞" : "-∞";
-  return number_of(quantity.value, quantity.digits).in(language);
+  constexpr double percent = 100;
+  double const value = quantity.unit == Unit::share ? quantity.value * percent : quantity.value;
+  return number_of(value, quantity.digits).in(language);
 }
 
 std::string quantity_text(Quantity const& quantity, Language language) {

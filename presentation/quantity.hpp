@@ -21,9 +21,11 @@ enum class Unit : std::uint8_t {
   degree,
   radian,
   percent,
+  share,  ///< people see percent: "20 %" of 0.2
   micrometre,
   millimetre,
   millimetre_per_second,
+  micrometre_per_second,
   millimetre_per_minute,
   degree_per_second,
   millimetre_per_second_squared,
@@ -60,6 +62,12 @@ struct Quantity {
 /// A value that people see with all its digits.
 [[nodiscard]] constexpr Quantity exact(double value, Unit unit = Unit::none) {
   return {.value = value, .unit = unit, .digits = Digits::exact()};
+}
+[[nodiscard]] constexpr Quantity rounded(double value, Unit unit, int digits) {
+  return {.value = value, .unit = unit, .digits = Digits::significant(digits)};
+}
+[[nodiscard]] constexpr Quantity fixed(double value, Unit unit, int decimals) {
+  return {.value = value, .unit = unit, .digits = Digits::decimals(decimals)};
 }
 
 /// "13.8", in German "13,8"; "-" where there is no number, "∞" and "-∞" beyond all numbers.

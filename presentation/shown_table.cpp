@@ -57,8 +57,8 @@ ShownTable shown_table(Table const& table, Language language) {
   ShownTable shown;
   auto const rows = std::min(table.rows.size(), table.most_shown);
   shown.rows.resize(rows);
-  if (rows < table.rows.size()) {
-    shown.more = text_of(Words(says::more_rows, {{"count", table.rows.size() - rows}}), language);
+  if (auto const more = table.rows.size() - rows + table.left_out; more > 0) {
+    shown.more = text_of(Words(says::more_rows, {{"count", more}}), language);
   }
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     auto const& column = table.columns[i];

@@ -112,7 +112,11 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   std::string lines;
   std::size_t column = 0;
   while (!text.empty()) {
-    auto const word = text.substr(0, text.find(' '));
+    auto end = text.find(' ');
+    bool const is_number =
+        end != std::string_view::npos && end > 0 && text[end - 1] >= '0' && text[end - 1] <= '9';
+    if (is_number) end = text.find(' ', end + 1);
+    auto const word = text.substr(0, end);
     text.remove_prefix(std::min(word.size() + 1, text.size()));
     auto const size = display_width(word);
     if (column > indent && column + 1 + size > width) {

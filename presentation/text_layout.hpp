@@ -13,7 +13,7 @@ namespace axisc::presentation {
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
 /// The words in lines of at most `width` columns, each ended; all but the first begin with `indent` blanks. A
-/// longer word has its own line.
+/// longer word has its own line, and a number stays with the word behind it: its unit.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
 /// The words in lines that begin at `column`, where the first already is, without a line end.

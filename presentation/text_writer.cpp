@@ -35,6 +35,7 @@ class TextWriter {
       rows.emplace_back(text_of(field.label, options_.language), text_of(field.value, options_.language));
       column = std::max(column, display_width(rows.back().first));
     }
+    if (!rows.empty() && ends_indented()) text_ += '\n';
     column += 2;
     for (auto const& [label, value] : rows) {
       text_ += label;
@@ -100,7 +101,11 @@ class TextWriter {
       lines.remove_prefix(line.size());
     }
   }
-  void title(Words const& words) { text_ += paint_(Style::strong, text_of(words, options_.language)) + "\n"; }
+  void title(Words const& words) {
+    auto lines = wrapped(text_of(words, options_.language), options_.width);
+    lines.pop_back();
+    text_ += paint_(Style::strong, lines) + "\n";
+  }
   void blocks(std::vector<Block> const& all) {
     for (auto const& block : all) std::visit(*this, block);
   }

@@ -56,6 +56,11 @@ struct TextForm {
     }
     return text.empty() ? "-" : text;
   }
+  std::string operator()(NameLists const& lists) const {
+    std::string text;
+    for (auto const& names : lists) (text += text.empty() ? "" : "; ") += (*this)(names);
+    return text.empty() ? "-" : text;
+  }
   std::string operator()(Wording const& wording) const { return printable(wording.in(language)); }
   std::string operator()(Link const& link) const { return (*this)(link.text); }
 };
@@ -89,6 +94,11 @@ bool Value::is_blank() const {
       form_);
 }
 
+Value quantity_or(Nothing nothing, std::optional<double> value, Unit unit, Digits digits) {
+  if (!value) return nothing;
+  return Quantity{.value = *value, .unit = unit, .digits = digits};
+}
+
 std::string text_of(Value const& value, Language language, Units units) {
   return std::visit(TextForm{.language = language, .units = units}, value.form());
 }
@@ -100,6 +110,10 @@ std::string text_of(Words const& words, Language language) {
     message.arguments.push_back({name, wording != nullptr ? *wording : text_of(value, language)});
   }
   return render(message, language, Values::printable);
+}
+
+Wording wording_of(Words const& words) {
+  return {text_of(words, Language::english), text_of(words, Language::german)};
 }
 
 }  // namespace axisc::presentation

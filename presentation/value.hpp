@@ -3,6 +3,7 @@
 #pragma once
 
 #include "diagnostics/message.hpp"
+#include "diagnostics/wording.hpp"
 #include "presentation/quantity.hpp"
 
 #include <concepts>
@@ -48,6 +49,7 @@ struct Symbol {
 };
 
 using Names = std::vector<std::string>;
+using NameLists = std::vector<Names>;
 
 /// In JSON an array; people see the first of many.
 struct Numbers {
@@ -66,7 +68,7 @@ struct Link {
 class Value {
  public:
   using Form = std::variant<Nothing, bool, std::int64_t, Quantity, std::string, Symbol, Words, Names, Numbers,
-                            Wording, Link>;
+                            NameLists, Wording, Link>;
 
   Value() = default;
   Value(Nothing nothing) : form_(std::move(nothing)) {}
@@ -81,6 +83,13 @@ class Value {
   Value(Numbers numbers) : form_(std::move(numbers)) {}
   Value(Wording wording) : form_(std::move(wording)) {}
   Value(Link link) : form_(std::move(link)) {}
+  Value(NameLists lists) : form_(std::move(lists)) {}
+  Value(double number) : form_(Quantity{.value = number}) {}
+  /// Nothing without a reason where there is none.
+  template <class Known>
+  Value(std::optional<Known> const& known) {
+    if (known) *this = Value(*known);
+  }
   template <std::integral Number>
   Value(Number number) {
     if constexpr (std::same_as<Number, bool>) {
@@ -103,6 +112,10 @@ class Value {
   Form form_;
 };
 
+/// The quantity, or nothing.
+[[nodiscard]] Value quantity_or(Nothing nothing, std::optional<double> value, Unit unit = Unit::none,
+                                Digits digits = {});
+
 /// The value of a placeholder.
 struct NamedValue {
   std::string_view name;
@@ -120,5 +133,6 @@ enum class Units : std::uint8_t {
 /// For people: one line, printable.
 [[nodiscard]] std::string text_of(Value const& value, Language language, Units units = Units::shown);
 [[nodiscard]] std::string text_of(Words const& words, Language language);
+[[nodiscard]] Wording wording_of(Words const& words);
 
 }  // namespace axisc::presentation

@@ -1,9 +1,18 @@
 #include "axisc/asked/quantities.hpp"
 
+#include "axisc/environment/failure.hpp"
+
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
+
+namespace axisc::says {
+
+constexpr Sentence bad_positive{"{option} needs numbers above 0, not \"{value}\"",
+                                "{option} braucht Zahlen über 0, nicht \"{value}\""};
+
+}  // namespace axisc::says
 
 namespace axisc {
 
@@ -32,6 +41,12 @@ std::optional<double> parse_number(std::string_view text) {
 std::optional<double> parse_finite(std::string_view text) {
   auto const value = parse_number(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+double positive_number(std::string const& option, std::string const& word) {
+  auto const value = parse_finite(word);
+  if (value && *value > 0) return *value;
+  throw Failure({.sentence = says::bad_positive, .arguments = {{"option", option}, {"value", word}}});
 }
 
 std::optional<std::uint64_t> parse_count(std::string_view text) {

@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace axisc {
 
@@ -15,6 +17,9 @@ namespace axisc {
 
 /// A decimal number as parse_number() reads it, without "inf" and "nan".
 [[nodiscard]] std::optional<double> parse_finite(std::string_view text);
+
+/// A number above 0; Failure for any other value of `option`.
+[[nodiscard]] double positive_number(std::string const& option, std::string const& word);
 
 /// A decimal integer without sign.
 [[nodiscard]] std::optional<std::uint64_t> parse_count(std::string_view text);

@@ -41,6 +41,15 @@ Belonging machine_of_input(MachineRequest const& request, CheckJob const& job, c
   return machine_of(files, path, [&job](std::string const& input) { return options_for(job, input); });
 }
 
+std::size_t axis_named(machine::Machine const& machine, std::string const& name) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+    if (machine.axes[i].name == name) return i;
+    names.push_back(machine.axes[i].name);
+  }
+  throw unknown_axis(name, names);
+}
+
 std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded, SourceSet const& sources,
                                         std::string const& list) {
   std::optional<std::size_t> found;

@@ -36,6 +36,9 @@ struct MachineRequest {
 [[nodiscard]] Belonging machine_of_input(MachineRequest const& request, CheckJob const& job,
                                          configuration::Files& files);
 
+/// Failure for another name than those of the axes.
+[[nodiscard]] std::size_t axis_named(machine::Machine const& machine, std::string const& name);
+
 /// The axis that the list of that name makes; none where it makes none or several.
 [[nodiscard]] std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded,
                                                       SourceSet const& sources, std::string const& list);

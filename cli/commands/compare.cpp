@@ -1,5 +1,4 @@
-#include "axisc/answers/comparison/compare_formats.hpp"
-#include "axisc/answers/execution/recorded_axis.hpp"
+#include "axisc/answers/comparison/compare_answer.hpp"
 #include "axisc/answers/execution/recorded_switches.hpp"
 #include "axisc/checking/compiled_input.hpp"
 #include "cli/commands/commands.hpp"
@@ -7,6 +6,7 @@
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/sentences.hpp"
+#include "cli/output/answer_output.hpp"
 #include "cli/output/printed_errors.hpp"
 #include "image/image_readings.hpp"
 
@@ -16,7 +16,6 @@ constexpr Sentence argument_recording{"what a scope recorded: two columns, a row
                                       "was ein Scope aufzeichnete: zwei Spalten, eine Zeile je Zyklus"};
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
                                "die aufgezeichnete Achse (Standardwert: die einzige)"};
-constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
 constexpr Sentence option_switched{
     "the control executed COMMAND (#FILTER ...) before that cycle of the recording; for images with kernel "
     "banks",
@@ -38,7 +37,6 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Format : std::uint8_t { text, json };
 enum class Emitted : std::uint8_t { nothing, settings };
 
 struct CompareOptions {
@@ -47,7 +45,7 @@ struct CompareOptions {
   WantedColumns columns;
   RecordedUnit unit = RecordedUnit::recognised;
   bool alone = false;
-  Format format = Format::text;
+  presentation::Format format = presentation::Format::text;
   Emitted emitted = Emitted::nothing;
 };
 
@@ -67,20 +65,17 @@ void declare(CommandLine& command_line, CompareOptions& options) {
   declare_alone(command_line, options.alone);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_switched);
   command_line.choice("--emit", {{"settings", Emitted::settings}}, options.emitted, says::option_emit);
-  command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
-                      says::option_format);
+  declare_format(command_line, options.format);
 }
 
 /// Only what is determined; what is left open is said, and is no success: what fits is written in part.
 ExitStatus emit_settings(comparison::Comparison const& result, design::Readings const& current,
                          Invocation const& invocation) {
   auto const settings = comparison::settings_of(result, current);
-  auto const tell = [&](std::string const& text) { invocation.streams.err.write("axisc: " + text + "\n"); };
-  for (auto const& open : comparison::open_settings(result)) {
-    tell(open_setting_text(open, invocation.language));
-  }
+  auto const tell = printed_notes(invocation);
+  for (auto const& open : comparison::open_settings(result)) tell(left_open(open));
   if (!settings) {
-    tell(render({says::no_settings, {}}, invocation.language));
+    tell({.sentence = says::no_settings, .arguments = {}});
     return ExitStatus::findings;
   }
   invocation.streams.out.write(design_settings(settings->readings));
@@ -105,27 +100,15 @@ ExitStatus compare(Invocation const& invocation) {
   auto const axis = recorded_axis(image, options.axis ? options.axis : input->axis(), *options.input);
   auto const commands =
       read_timed_commands(options.commands, input->image, *options.input, invocation.language);
-  auto recorded = compare_axis(image, axis, *options.recording, options.columns, options.unit,
-                               kernel_switches(commands, image, axis, *options.input));
+  auto const recorded = compare_axis(image, axis, *options.recording, options.columns, options.unit,
+                                     kernel_switches(commands, image, axis, *options.input));
   refuse_late(commands, recorded.columns.recording.input.size());
   if (options.emitted == Emitted::settings) {
     return emit_settings(recorded.result, image::readings_of(image, axis), invocation);
   }
-  ShownComparison const shown{.axis = axis_label(image, axis),
-                              .input_name = recorded.columns.input_name,
-                              .output_name = recorded.columns.output_name,
-                              .cycles = recorded.columns.recording.input.size(),
-                              .repeated = recorded.columns.repeated,
-                              .thousandths = recorded.thousandths,
-                              .is_rotary = recorded.is_rotary,
-                              .jumps = recorded.jumps,
-                              .telling = recorded.telling,
-                              .found_switches = std::move(recorded.found_switches),
-                              .result = std::move(recorded.result)};
-  invocation.streams.out.write(options.format == Format::json ? compare_json(shown, invocation.language)
-                                                              : compare_text(shown, invocation.language));
-  bool const agrees = shown.result.verdict == comparison::Verdict::same ||
-                      shown.result.verdict == comparison::Verdict::delayed;
+  print(compare_answer(axis_label(image, axis), recorded), options.format, invocation, command_line);
+  auto const verdict = recorded.result.verdict;
+  bool const agrees = verdict == comparison::Verdict::same || verdict == comparison::Verdict::delayed;
   return agrees ? ExitStatus::success : ExitStatus::findings;
 }
 

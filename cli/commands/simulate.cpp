@@ -1,12 +1,15 @@
+#include "axisc/answers/simulation/plant_answer.hpp"
+#include "axisc/answers/simulation/program_answer.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/checking/path_machine.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/commands/simulate_plant.hpp"
-#include "cli/commands/simulate_program.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/sentences.hpp"
+#include "cli/output/answer_output.hpp"
 #include "cli/output/printed_errors.hpp"
 #include "cli/terminal/progress.hpp"
 
@@ -16,9 +19,6 @@ constexpr Sentence option_program{"the NC program, or - for standard input",
                                   "das NC-Programm, oder - für die Standardeingabe"};
 constexpr Sentence option_output{"also write every NC cycle to this CSV file",
                                  "zusätzlich jeden NC-Zyklus in diese CSV-Datei schreiben"};
-constexpr Sentence option_format{
-    "output format: summary as text or json, or every cycle as csv (default: text)",
-    "Ausgabeformat: Zusammenfassung als text oder json, oder jeder Zyklus als csv (Standardwert: text)"};
 constexpr Sentence option_constant_velocity{
     "keep the feed rate everywhere: no ramps, no slower corners, no AX_DEV",
     "überall mit dem Vorschub fahren: keine Rampen, keine langsameren Ecken, kein AX_DEV"};
@@ -46,7 +46,7 @@ namespace {
 
 struct SimulateOptions {
   std::optional<std::string> machine, program, output, group, cycle_time, plant, move, most_cycles;
-  SimulateFormat format = SimulateFormat::text;
+  presentation::Format format = presentation::Format::text;
   bool alone = false;
   bool constant_velocity = false;
   bool progress = false;
@@ -64,10 +64,7 @@ void declare(CommandLine& command_line, SimulateOptions& options) {
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_move);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, options.alone);
-  command_line.choice(
-      "--format",
-      {{"text", SimulateFormat::text}, {"csv", SimulateFormat::csv}, {"json", SimulateFormat::json}},
-      options.format, says::option_format);
+  declare_format(command_line, options.format);
   command_line.flag("--progress", options.progress, says::option_progress);
   command_line.flag("--no-progress", options.no_progress, says::option_no_progress);
 }
@@ -76,7 +73,7 @@ void declare(CommandLine& command_line, SimulateOptions& options) {
 std::uint64_t most_cycles(SimulateOptions const& options) {
   constexpr std::uint64_t most_rows = 10'000'000;
   if (!options.most_cycles) {
-    bool const writes_rows = options.output || options.format == SimulateFormat::csv;
+    bool const writes_rows = options.output || options.format == presentation::Format::csv;
     return writes_rows ? most_rows : motion::SimulationLimits{}.most_cycles;
   }
   auto const count = parse_count(*options.most_cycles);
@@ -85,6 +82,66 @@ std::uint64_t most_cycles(SimulateOptions const& options) {
                    .arguments = {{"option", "--max-cycles"}, {"value", *options.most_cycles}}});
   }
   return *count;
+}
+
+/// Where every cycle is written, if anywhere.
+std::optional<OutputFile> output_file(SimulateOptions const& options, std::string const& input,
+                                      std::vector<std::string> sources) {
+  if (!options.output) return std::nullopt;
+  sources.push_back(input);
+  refuse_overwriting({*options.output}, sources);
+  return std::optional<OutputFile>(std::in_place, *options.output);
+}
+
+ExitStatus simulate_plant(SimulateOptions const& options, CheckedMachine const& checked,
+                          Invocation const& invocation, CommandLine const& command_line) {
+  auto const run = run_plant(
+      {.machine_path = *options.machine, .plant_path = *options.plant, .move = *options.move}, checked, true);
+  if (auto file = output_file(options, *options.plant, checked.files)) {
+    file->write(plant_table(run.without, run.with, run.cycle_seconds));
+    file->commit();
+  }
+  if (options.format == presentation::Format::csv) {
+    invocation.streams.out.write(plant_table(run.without, run.with, run.cycle_seconds));
+  } else {
+    print(plant_answer(run.figures), options.format, invocation, command_line);
+  }
+  return ExitStatus::success;
+}
+
+ExitStatus simulate_program(SimulateOptions const& options, CheckedMachine checked,
+                            Invocation const& invocation, CommandLine const& command_line) {
+  ProgramRequest request{.machine_path = *options.machine,
+                         .program_path = *options.program,
+                         .constant_velocity = options.constant_velocity,
+                         .most_cycles = most_cycles(options)};
+  auto& machine = checked.machine;
+  auto const index =
+      chosen_group(machine, options.group ? options.group : checked.group, request.machine_path);
+  ProgramLines program(request.program_path);
+  bool const color = use_color(command_line.color(), system::Stream::error);
+  if (!survey_program(program, request, machine, index, printed_problems(invocation, color))) {
+    return ExitStatus::findings;
+  }
+  SimulatedPath const path{.group = machine.groups[index].name,
+                           .axes = channel_of(machine, machine.groups[index]).axes,
+                           .cycle_time = machine.cycle_time};
+  auto file = output_file(options, request.program_path, checked.files);
+  bool const prints_rows = options.format == presentation::Format::csv;
+  CycleWriter printed(path, [&](std::string_view text) { invocation.streams.out.write(text); });
+  CycleWriter filed(path, [&](std::string_view text) { file->write(text); });
+  std::vector<CycleWriter*> rows;
+  if (prints_rows) rows.push_back(&printed);
+  if (file) rows.push_back(&filed);
+  Progress progress(options.progress || (!options.no_progress && progress_is_seen()), invocation.language);
+  request.working = [&progress](double share, double seconds) { progress.show(share, seconds); };
+  auto const simulated = simulate_answer(program, request, machine, index, path, rows);
+  if (!prints_rows) print(simulated.answer, options.format, invocation, command_line);
+  if (file) file->commit();
+  for (auto const& pass : simulated.exceeded) {
+    invocation.streams.err.write(not_kept(pass, request.program_path).line(invocation.language));
+  }
+  return simulated.exceeded.empty() ? ExitStatus::success : ExitStatus::findings;
 }
 
 }  // namespace
@@ -99,28 +156,12 @@ ExitStatus simulate(Invocation const& invocation) {
   if (options.program.has_value() == closed_loop || options.plant.has_value() != options.move.has_value()) {
     throw Failure({.sentence = says::what, .arguments = {}});
   }
-  bool const color = use_color(command_line.color(), system::Stream::error);
   auto checked = checked_machine(
       {.input = *options.machine, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
-      printed_errors(invocation, color));
+      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!checked) return ExitStatus::findings;
-  if (closed_loop) {
-    return simulate_plant(
-        {.request = {.machine_path = *options.machine, .plant_path = *options.plant, .move = *options.move},
-         .output = options.output,
-         .format = options.format},
-        *checked, invocation);
-  }
-  return simulate_program({.request = {.machine_path = *options.machine,
-                                       .program_path = *options.program,
-                                       .constant_velocity = options.constant_velocity,
-                                       .most_cycles = most_cycles(options)},
-                           .group = options.group ? options.group : checked->group,
-                           .output = options.output,
-                           .format = options.format,
-                           .show_progress = options.progress || (!options.no_progress && progress_is_seen()),
-                           .color = color},
-                          *std::move(checked), invocation);
+  return closed_loop ? simulate_plant(options, *checked, invocation, command_line)
+                     : simulate_program(options, *std::move(checked), invocation, command_line);
 }
 
 }  // namespace axisc::cli

@@ -16,8 +16,6 @@ constexpr Sentence option_radius{"radius of the circle in mm (default: 10)",
 constexpr Sentence option_tolerance{
     "allowed axis error in mm: which feed and which order keep it",
     "erlaubter Achsfehler in mm: welcher Vorschub, welche Ordnung hält ihn ein"};
-constexpr Sentence bad_positive{"{option} needs numbers above 0, not \"{value}\"",
-                                "{option} braucht Zahlen über 0, nicht \"{value}\""};
 constexpr Sentence bad_angle{"--angle needs a number from 0 to 180, not \"{value}\"",
                              "--angle braucht eine Zahl von 0 bis 180, nicht \"{value}\""};
 constexpr Sentence bad_orders{"--order needs whole numbers from 0 to {limit}, not \"{value}\"",
@@ -27,27 +25,12 @@ constexpr Sentence bad_orders{"--order needs whole numbers from 0 to {limit}, no
 
 namespace axisc::cli {
 
-namespace {
-
-[[noreturn]] void refuse(SentenceRef text, std::string option, std::string value) {
-  throw Failure(
-      {.sentence = text, .arguments = {{"option", std::move(option)}, {"value", std::move(value)}}});
-}
-
-double positive(std::string const& option, std::string const& word) {
-  auto const value = parse_finite(word);
-  if (!value || !(*value > 0)) refuse(says::bad_positive, option, word);
-  return *value;
-}
-
-}  // namespace
-
 ContourRequest read_contour_words(ContourWords const& words) {
   ContourRequest wanted;
   if (words.feeds) {
     wanted.feeds.clear();
-    for (auto const& word : split_list(*words.feeds)) wanted.feeds.push_back(positive("--feed", word));
-    if (wanted.feeds.empty()) refuse(says::bad_positive, "--feed", *words.feeds);
+    for (auto const& word : split_list(*words.feeds)) wanted.feeds.push_back(positive_number("--feed", word));
+    if (wanted.feeds.empty()) wanted.feeds.push_back(positive_number("--feed", *words.feeds));
   }
   if (words.orders) {
     wanted.orders.clear();
@@ -73,8 +56,8 @@ ContourRequest read_contour_words(ContourWords const& words) {
     }
     wanted.angle_deg = *angle;
   }
-  if (words.radius) wanted.radius_mm = positive("--radius", *words.radius);
-  if (words.tolerance) wanted.tolerance_mm = positive("--tolerance", *words.tolerance);
+  if (words.radius) wanted.radius_mm = positive_number("--radius", *words.radius);
+  if (words.tolerance) wanted.tolerance_mm = positive_number("--tolerance", *words.tolerance);
   return wanted;
 }
 

@@ -21,6 +21,9 @@ inline constexpr Sentence feed{"feed", "Vorschub"};
 inline constexpr Sentence contour{"contour", "Kontur"};
 inline constexpr Sentence error{"error {axis}", "Fehler {axis}"};
 inline constexpr Sentence corner{"corner", "Ecke"};
+inline constexpr Sentence share{"remaining vibration", "verbleibende Schwingung"};
+inline constexpr Sentence readings{"readings", "Lesarten"};
+inline constexpr Sentence largest{"largest error", "größter Fehler"};
 inline constexpr Sentence limit{
     "an axis error of {tolerance} is kept at the corner up to {feed}, and every word of this sentence is "
     "there to see it "
@@ -93,7 +96,8 @@ inline presentation::Document example_document() {
                                Quantity{.value = 191.58149999, .digits = Digits::decimals(3)},
                                Quantity{.value = -0.0004, .digits = Digits::decimals(3)}},
                               {Quantity{.value = 12.5, .digits = Digits::exact()}, hostile, Nothing{},
-                               Quantity{.value = std::numeric_limits<double>::infinity()}}}};
+                               Quantity{.value = std::numeric_limits<double>::infinity()}}},
+                     .left_out = 3};
   Section channel{
       .key = {},
       .title = Words(says::channel, {{"name", "K1"}}),
@@ -109,13 +113,23 @@ inline presentation::Document example_document() {
       .version = 2,
       .title = Words(says::title, {{"machine", hostile}}),
       .blocks =
-          {Facts{{{.key = "cycle_time_us",
-                   .label = says::cycle_time,
-                   .value = Quantity{.value = 1000, .unit = Unit::microsecond, .digits = Digits::exact()}},
-                  {.key = "axes", .label = says::axes, .value = Names{"X", hostile}},
-                  {.key = "synchronous", .label = says::synchronous, .value = false},
-                  {.key = "type", .label = says::kind, .value = Symbol{.symbol = "R", .words = says::rotary}},
-                  data("image_version", 7)}},
+          {Facts{
+               {{.key = "cycle_time_us",
+                 .label = says::cycle_time,
+                 .value = Quantity{.value = 1000, .unit = Unit::microsecond, .digits = Digits::exact()}},
+                {.key = "axes", .label = says::axes, .value = Names{"X", hostile}},
+                {.key = "synchronous", .label = says::synchronous, .value = false},
+                {.key = "type", .label = says::kind, .value = Symbol{.symbol = "R", .words = says::rotary}},
+                {.key = "remaining_vibration", .label = says::share, .value = fixed(0.2468, Unit::share, 1)},
+                {.key = "readings", .label = says::readings, .value = NameLists{{"a", "b"}, {}, {hostile}}},
+                {.key = "filter", .label = says::kind, .value = Wording("low-pass", "Tiefpass")},
+                {.key = "largest",
+                 .label = says::largest,
+                 .value = rounded(12.345, Unit::micrometre, 3),
+                 .member = "X"},
+                data("largest", exact(0.5), hostile),
+                data("image_version", 7)}},
+           data_section("first", {data("cycle", 3)}),
            Sections{.key = "groups", .items = {std::move(channel)}}, Sections{.key = "gantries", .items = {}},
            example_of_details()},
       .csv_table = "table"};

@@ -35,7 +35,9 @@ TEST_CASE("a document is written in every format and both languages") {
 
 TEST_CASE("JSON has the values as they were computed, in every language") {
   auto json = nlohmann::json::parse(written(Format::json, Language::german));
-  auto const english = nlohmann::json::parse(written(Format::json));
+  auto english = nlohmann::json::parse(written(Format::json));
+  CHECK(english["filter"] == "low-pass");
+  english["filter"] = "Tiefpass";
   // Sentences are in the reader's language.
   for (auto& filter : json["chain"]["filters"]) filter["remark"] = english["chain"]["filters"][0]["remark"];
   json["chain"]["page"] = english["chain"]["page"];
@@ -52,6 +54,12 @@ TEST_CASE("JSON has the values as they were computed, in every language") {
   CHECK(json["chain"]["filters"][1]["zeros_hz"].size() == 8);
   CHECK(json["chain"]["filters"][1]["unused"].is_null());
   CHECK(json["chain"]["filters"][1]["sections"][0]["a1"] == -0.5);
+  CHECK(json["remaining_vibration"] == 0.2468);
+  CHECK(json["readings"][0] == nlohmann::json{"a", "b"});
+  CHECK(json["readings"][1].empty());
+  CHECK(json["largest"]["X"] == 12.345);
+  CHECK(json["largest"].size() == 2);
+  CHECK(json["first"]["cycle"] == 3);
 }
 
 TEST_CASE("CSV begins with what tells the sections apart, and every row has all columns") {
@@ -109,6 +117,11 @@ TEST_CASE("text fits the width") {
       }
     }
   }
+}
+
+TEST_CASE("a number stays with its unit") {
+  CHECK(wrapped("at most 0.1 mm, or 20 %", 12) == "at most\n0.1 mm, or\n20 %\n");
+  CHECK(wrapped("in 1 2 3 4", 4) == "in\n1 2\n3 4\n");
 }
 
 TEST_CASE("foreign text stays text") {

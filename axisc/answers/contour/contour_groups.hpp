@@ -1,7 +1,7 @@
 // The predictions of `axisc contour` for one group of axes.
 #pragma once
 
-#include "axisc/answers/contour/contour_formats.hpp"
+#include "analysis/motion/contour/contour_predictions.hpp"
 #include "configuration/machine/machine.hpp"
 
 #include <cstdint>
@@ -18,6 +18,30 @@ struct ContourRequest {
   double angle_deg = 90;
   double radius_mm = 10;
   std::optional<double> tolerance_mm;
+};
+
+/// One feed with one order.
+struct ContourCase {
+  double feed_mm_per_min = 0;
+  std::optional<std::uint32_t> order;  ///< none: the lists'
+  motion::ContourFigures corner, circle, line;
+  double parallel = 0;
+};
+
+/// Feeds and orders that keep the tolerance.
+struct ContourLimits {
+  double tolerance_mm = 0;
+  std::optional<double> corner_feed, circle_feed;  ///< mm/min; none: any
+  std::optional<std::uint32_t> order;              ///< at the first feed; none: not one
+  bool has_order = false;                          ///< an order can be commanded
+};
+
+struct GroupContour {
+  std::string name;
+  std::vector<std::string> axes;
+  std::vector<ContourCase> cases;  ///< by feed, then by order
+  std::optional<ContourLimits> limits;
+  bool synchronous = true;  ///< all axes have the same delay
 };
 
 /// A group with its filters switched by these commands.

@@ -2,7 +2,7 @@
 
 #include "analysis/comparison/overlay.hpp"
 #include "analysis/motion/spectrum.hpp"
-#include "axisc/answers/comparison/compare_formats.hpp"
+#include "axisc/answers/comparison/compare_answer.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class CompareFigure {
     if (result.verdict == comparison::Verdict::different && !result.fitting.empty()) {
       auto const& best = result.fitting.front();
       computed_.push_back(
-          {reading_words(best.reading, language_), best.residual, overlay(best.reading, best.residual)});
+          {reading_words(best.reading).in(language_), best.residual, overlay(best.reading, best.residual)});
     }
   }
 

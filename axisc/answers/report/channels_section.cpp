@@ -1,21 +1,16 @@
-#include "analysis/motion/point.hpp"
+#include "axisc/answers/contour/contour_answer.hpp"
 #include "axisc/answers/figures/plotted_groups.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
-#include "diagnostics/format_number.hpp"
 #include "presentation/pictures/page.hpp"
+#include "presentation/writers.hpp"
 
 namespace axisc::says {
 
 constexpr Sentence channel_heading{"Channel {group}", "Kanal {group}"};
 constexpr Sentence only_channel{"All axes", "Alle Achsen"};
-constexpr Sentence feed_column{"feed [mm/min]", "Vorschub [mm/min]"};
-constexpr Sentence corner_column{"corner of {angle}° [µm]", "Ecke von {angle}° [µm]"};
-constexpr Sentence circle_column{"circle of {radius} mm [µm]", "Kreis von {radius} mm [µm]"};
-constexpr Sentence line_column{"line between axes [µm]", "Gerade zwischen Achsen [µm]"};
-constexpr Sentence parallel_column{"there and back [µm]", "hin und zurück [µm]"};
 constexpr Sentence filters_are_on{
     "Contour deviation with FIR and HSC filters on, as after #FILTER ON.",
     "Bahnabweichung mit eingeschalteten FIR- und HSC-Filtern, wie nach #FILTER ON."};
@@ -26,33 +21,14 @@ namespace axisc {
 
 namespace {
 
-constexpr int table_digits = 4;
-
-std::string in_um(double units, Language language) {
-  // What is left of nothing by rounding.
-  constexpr double nothing = 1e-6;
-  return units < nothing ? "0" : format_rounded(units / motion::units_per_um, table_digits).in(language);
-}
-
-std::string feed_table(ReportSubject const& subject, std::size_t group) {
+std::string contours(ReportSubject const& subject, std::size_t group) {
   auto const predicted = predict_contour(
       {.machine = *subject.machine, .group = group, .commands = filters_on(), .path = subject.input},
       subject.contour);
-  pictures::Table table;
-  table.header = {
-      subject.say(says::feed_column),
-      subject.say(says::corner_column, {{"angle", format_rounded(subject.contour.angle_deg, table_digits)}}),
-      subject.say(says::circle_column, {{"radius", format_rounded(subject.contour.radius_mm, table_digits)}}),
-      subject.say(says::line_column), subject.say(says::parallel_column)};
-  for (auto const& row : predicted.cases) {
-    std::vector<std::string> cells{format_rounded(row.feed_mm_per_min, table_digits).in(subject.language)};
-    for (double const units :
-         {row.corner.deviation, row.circle.deviation, row.line.deviation, row.parallel}) {
-      cells.push_back(in_um(units, subject.language));
-    }
-    table.rows.push_back(std::move(cells));
-  }
-  return text_of("p", subject.say(says::filters_are_on)) + "\n" + pictures::table_element(table);
+  constexpr int level = 4;
+  return text_of("p", subject.say(says::filters_are_on)) + "\n" +
+         presentation::html_of(contour_blocks(predicted, subject.contour), level,
+                               {.language = subject.language});
 }
 
 std::string group_pictures(ReportSubject const& subject, std::size_t group) {
@@ -81,7 +57,7 @@ std::string channels_section(ReportSubject const& subject) {
                     group.name.empty() ? subject.say(says::only_channel)
                                        : subject.say(says::channel_heading, {{"group", group.name}}));
     try {
-      text += feed_table(subject, i) + group_pictures(subject, i);
+      text += contours(subject, i) + group_pictures(subject, i);
     } catch (Failure const& failure) {
       // A chain without a constant part, or more axes than a path has: the sentence takes the pictures'
       // place.

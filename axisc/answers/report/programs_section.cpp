@@ -1,14 +1,14 @@
 #include "axisc/answers/figures/path_figure.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
-#include "axisc/answers/simulation/followed_program.hpp"
-#include "axisc/answers/simulation/simulate_formats.hpp"
+#include "axisc/answers/simulation/program_answer.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/program_lines.hpp"
 #include "configuration/machine/part.hpp"
 #include "diagnostics/writers/writers.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
+#include "presentation/writers.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
@@ -17,11 +17,6 @@ namespace axisc::says {
 
 constexpr Sentence program_heading{"{program} in channel {group}", "{program} im Kanal {group}"};
 constexpr Sentence program_alone{"{program}", "{program}"};
-constexpr Sentence pass_column{"pass", "Durchgang"};
-constexpr Sentence pass_line{"line", "Zeile"};
-constexpr Sentence pass_command{"filters", "Filter"};
-constexpr Sentence more_passes{"The first {shown} of {count} passes are shown.",
-                               "Die ersten {shown} von {count} Durchgängen werden gezeigt."};
 constexpr Sentence not_followed{"The program is not followed:", "Dem Programm wird nicht gefolgt:"};
 
 }  // namespace axisc::says
@@ -34,20 +29,13 @@ std::string preformatted(std::string const& text) {
   return text.empty() ? std::string() : "<pre tabindex=\"0\">" + pictures::escaped(text) + "</pre>\n";
 }
 
-pictures::Table pass_table(ReportSubject const& subject, PathRecorder const& recorder) {
-  pictures::Table table;
-  table.header = {subject.say(says::pass_column), subject.say(says::pass_line)};
-  for (auto& name : summary_headings(subject.language)) table.header.push_back(std::move(name));
-  table.header.push_back(subject.say(says::pass_command));
-  for (auto const& pass : recorder.passes()) {
-    auto& row = table.rows.emplace_back();
-    row = {std::to_string(table.rows.size()), pass.line == 0 ? std::string() : std::to_string(pass.line)};
-    for (auto& cell : summary_cells(pass, subject.machine->cycle_time, subject.language)) {
-      row.push_back(std::move(cell));
-    }
-    row.push_back(pass_name(pass, subject.language));
-  }
-  return table;
+/// As `simulate` shows them.
+presentation::Table passes_of(PathRecorder const& recorder, SimulatedPath const& path) {
+  ProgramSummary summary(path);
+  for (auto const& pass : recorder.passes()) summary.pass(pass);
+  auto passes = summary.passes();
+  passes.left_out = recorder.pass_count() - recorder.passes().size();
+  return passes;
 }
 
 /// What `simulate` says of the program, or why it cannot follow it.
@@ -71,20 +59,20 @@ std::string followed(ReportSubject const& subject, std::size_t channel, std::str
   std::size_t const up = axes.size() > 1 ? 1 : 0;
   PathRecorder recorder(0, up);
   static_cast<void>(follow_program(program, request, machine, group, recorder));
-  std::string text = preformatted(problems) + pictures::table_element(pass_table(subject, recorder));
-  if (recorder.pass_count() > recorder.passes().size()) {
-    text += text_of("p", subject.say(says::more_passes, {{"shown", std::to_string(recorder.passes().size())},
-                                                         {"count", std::to_string(recorder.pass_count())}})) +
-            "\n";
-  }
-  return text + pictures::figure_element(
-                    path_figure(recorder,
-                                {.program = std::string(validator::file_name(path)),
-                                 .axes = {machine.axes[axes[0]].name, machine.axes[axes[up]].name},
-                                 .cycle_seconds = machine.cycle_time.seconds(),
-                                 .tolerance_um = std::nullopt},
-                                subject.language),
-                    subject.language);
+  SimulatedPath const simulated{.group = machine.groups[group].name,
+                                .axes = channel_of(machine, machine.groups[group]).axes,
+                                .cycle_time = machine.cycle_time};
+  constexpr int level = 4;
+  return preformatted(problems) +
+         presentation::html_of({passes_of(recorder, simulated)}, level, {.language = subject.language}) +
+         pictures::figure_element(
+             path_figure(recorder,
+                         {.program = std::string(validator::file_name(path)),
+                          .axes = {machine.axes[axes[0]].name, machine.axes[axes[up]].name},
+                          .cycle_seconds = machine.cycle_time.seconds(),
+                          .tolerance_um = std::nullopt},
+                         subject.language),
+             subject.language);
 }
 
 }  // namespace

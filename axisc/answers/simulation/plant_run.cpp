@@ -54,15 +54,6 @@ Move read_move(std::string const& word) {
   return move;
 }
 
-std::size_t axis_of(machine::Machine const& machine, std::string const& name) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
-    if (machine.axes[i].name == name) return i;
-    names.push_back(machine.axes[i].name);
-  }
-  throw unknown_axis(name, names);
-}
-
 void find_oscillations(ClosedLoopFigures& figures, motion::LoopRecord const& without,
                        motion::LoopRecord const& with, double T) {
   auto const [lowest, highest] = oscillation_band(T);
@@ -92,7 +83,7 @@ std::pair<double, double> oscillation_band(double cycle_seconds) {
 PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked, bool searches_kv) {
   auto const& machine = checked.machine;
   auto const wanted = read_move(request.move);
-  auto const index = axis_of(machine, wanted.axis);
+  auto const index = axis_named(machine, wanted.axis);
   auto const& axis = machine.axes[index];
   auto const plant = read_plant(request.plant_path, wanted.axis);
   auto const image = image_of(machine, request.machine_path);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "analysis/motion/closed_loop.hpp"
-#include "axisc/answers/simulation/plant_formats.hpp"
+#include "analysis/motion/spectrum.hpp"
 #include "axisc/checking/path_machine.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace axisc {
 
@@ -14,6 +16,27 @@ struct PlantRequest {
   std::string machine_path;
   std::string plant_path;
   std::string move;  ///< AXIS:MM or AXIS:MM:MM_PER_MIN
+};
+
+/// The load's dominant oscillation in one phase of the move.
+struct PhaseOscillation {
+  motion::MovePhase phase = motion::MovePhase::travel;
+  motion::Oscillation without;
+  /// Amplitude with the function, m/s²: the same frequency in the same window. None where the loop was lost
+  /// before.
+  std::optional<double> with;
+};
+
+struct ClosedLoopFigures {
+  std::string axis;
+  double distance_mm = 0, feed_mm_per_min = 0, kv = 0;
+  bool has_function = false;
+  std::vector<PhaseOscillation> oscillations;  ///< none without function: there is nothing to compare
+  double largest_additive = 0;                 ///< µm/s
+  double limit = 0;                            ///< µm/s
+  bool limit_hit = false;
+  bool diverges_without = false, diverges_with = false;
+  std::optional<double> highest_kv_without, highest_kv_with;  ///< 1/s; see motion::highest_kv
 };
 
 /// What a move gave, without and with the function.

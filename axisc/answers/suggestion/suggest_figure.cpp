@@ -1,7 +1,8 @@
 #include "axisc/answers/suggestion/suggest_figure.hpp"
 
 #include "analysis/tuning/suggestion/impulse_response.hpp"
-#include "axisc/answers/suggestion/suggest_formats.hpp"
+#include "axisc/answers/suggestion/suggest_answer.hpp"
+#include "axisc/environment/failure.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 
 namespace axisc::says {
 
+constexpr Sentence nothing_to_draw{"there is nothing to draw: no filters are suggested",
+                                   "es gibt nichts zu zeichnen: es werden keine Filter vorgeschlagen"};
 constexpr Sentence title{"Suggestions for axis {axis}", "Vorschläge für Achse {axis}"};
 constexpr Sentence described{
     "{setting}: {chain}, {vibration} % of the vibration remain, {delay} ms delay",
@@ -51,11 +54,7 @@ std::vector<Shown> shown_settings(Suggestion const& suggestion, Language languag
                      .setting = &*suggestion.present});
   }
   for (std::size_t i = 0; i < tuning::senses; ++i) {
-    std::string name;
-    for (auto const sense : suggestion.senses_of(i)) {
-      name += (name.empty() ? "" : ", ") + std::to_string(static_cast<std::size_t>(sense) + 1) + " " +
-              sense_name(sense, language);
-    }
+    auto name = senses_of(suggestion, i).in(language);
     if (name.empty()) continue;
     shown.push_back(
         {.name = std::move(name), .colour = i, .setting = &suggestion.alternatives.at(i).setting});
@@ -113,7 +112,9 @@ pictures::Panel step_panel(std::vector<Shown> const& settings, double T, Languag
 
 }  // namespace
 
-pictures::Figure suggest_figure(Suggestion const& suggestion, Language language) {
+pictures::Figure suggest_figure(Suggested const& suggested, Language language) {
+  if (suggested.suggestion() == nullptr) throw Failure({.sentence = says::nothing_to_draw, .arguments = {}});
+  auto const& suggestion = *suggested.suggestion();
   auto const settings = shown_settings(suggestion, language);
   double const T = suggestion.cycle_time.seconds();
   double highest = 0;
@@ -129,7 +130,7 @@ pictures::Figure suggest_figure(Suggestion const& suggestion, Language language)
     figure.description += (figure.description.empty() ? "" : "; ") +
                           say(language, says::described,
                               {{"setting", shown.name},
-                               {"chain", tuning::short_name(shown.setting->chain, language)},
+                               {"chain", name_of(shown.setting->chain)},
                                {"vibration", format_fixed(shown.setting->figures.vibration * 100, 1)},
                                {"delay", format_fixed(shown.setting->figures.delay * T * 1e3, 1)}});
   }

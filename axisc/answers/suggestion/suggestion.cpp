@@ -116,7 +116,7 @@ std::vector<std::size_t> concerned_axes(SuggestionSubject const& subject) {
   return axes;
 }
 
-std::variant<Suggestion, NoSuggestion> suggestion_for(SuggestionSubject const& subject, tuning::Task task) {
+std::variant<NoSuggestion, Suggestion> suggestion_for(SuggestionSubject const& subject, tuning::Task task) {
   tuning::Judge const judge(task);
   auto enumeration = tuning::enumerate(task, judge);
   auto const choice = tuning::choose(enumeration.candidates, judge, task.goal);

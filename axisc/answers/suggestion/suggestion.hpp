@@ -74,7 +74,7 @@ struct NoSuggestion {
   double least_vibration = 1;  ///< of those that keep it
 };
 
-[[nodiscard]] std::variant<Suggestion, NoSuggestion> suggestion_for(SuggestionSubject const& subject,
+[[nodiscard]] std::variant<NoSuggestion, Suggestion> suggestion_for(SuggestionSubject const& subject,
                                                                     tuning::Task task);
 
 }  // namespace axisc

@@ -1,6 +1,7 @@
 // A pass that does not keep its tolerance. The planner lets none happen, so the pass is made up.
 #include "axisc/answers/simulation/followed_program.hpp"
-#include "axisc/answers/simulation/simulate_formats.hpp"
+#include "axisc/answers/simulation/program_answer.hpp"
+#include "presentation/writers.hpp"
 #include "support/catch.hpp"
 
 using namespace axisc;
@@ -19,14 +20,11 @@ motion::PassSummary exceeding() {
   return pass;
 }
 
-std::string summary_of(motion::PassSummary const& pass, bool is_json) {
-  std::string text;
+std::string summary_of(motion::PassSummary const& pass, presentation::Format format) {
   SimulatedPath const path{.group = {}, .axes = {"X", "Y"}, .cycle_time = {1'000'000}};
-  auto const sink = [&text](std::string_view piece) { text += piece; };
-  auto const summary = is_json ? json_summary(path, sink) : text_summary(path, Language::english, sink);
-  summary->pass(pass);
-  summary->finish(1, 1000);
-  return text;
+  ProgramSummary summary(path);
+  summary.pass(pass);
+  return presentation::write(std::move(summary).answer({.blocks = 1, .cycles = 1000}), format, {});
 }
 
 }  // namespace
@@ -34,14 +32,19 @@ std::string summary_of(motion::PassSummary const& pass, bool is_json) {
 TEST_CASE("a pass beyond its tolerance is marked in every format, and said with both figures") {
   auto pass = exceeding();
   REQUIRE_FALSE(pass.keeps_tolerance());
-  CHECK_THAT(summary_of(pass, false), Contains("#FILTER ON [AX_DEV=0.001]: AX_DEV is not kept"));
-  CHECK_THAT(summary_of(pass, true), Contains("\"tolerance_um\": 1, \"tolerance_kept\": false"));
+  using presentation::Format;
+  for (auto const format : {Format::text, Format::html}) {
+    CHECK_THAT(summary_of(pass, format), Contains("#FILTER ON [AX_DEV=0.001]: AX_DEV is not kept"));
+  }
+  CHECK_THAT(summary_of(pass, Format::markdown), Contains(": AX_DEV is not kept"));
+  CHECK_THAT(summary_of(pass, Format::json),
+             Contains("\"tolerance_um\": 1,") && Contains("\"tolerance_kept\": false"));
   auto const said = not_kept(pass, "part.nc");
   CHECK_THAT(said.line(Language::english),
              Contains("part.nc:7") && Contains("axis error 1.5 µm, tolerance 1 µm"));
   CHECK_THAT(said.line(Language::german), Contains("Achsfehler 1,5 µm, Toleranz 1 µm"));
   pass.axis_error[1] = *pass.tolerance;
   CHECK(pass.keeps_tolerance());
-  CHECK_THAT(summary_of(pass, false), !Contains("not kept"));
-  CHECK_THAT(summary_of(pass, true), Contains("\"tolerance_kept\": true"));
+  CHECK_THAT(summary_of(pass, Format::text), !Contains("not kept"));
+  CHECK_THAT(summary_of(pass, Format::json), Contains("\"tolerance_kept\": true"));
 }

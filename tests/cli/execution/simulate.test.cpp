@@ -135,6 +135,18 @@ TEST_CASE("a program that would last too long is refused with its line") {
   CHECK_THAT(refused("G01 X10 F6000\n", {"--max-cycles", "0"}), Contains("--max-cycles"));
 }
 
+TEST_CASE("of a long program the first ten thousand blocks are shown") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  folder.write("p.nc", "G01 F60000 G91\n$FOR P1 = 1, 10010, 1\nX1\n$ENDFOR\nM30\n");
+  auto const found = simulate(there, {"m.json", "--program", "p.nc"});
+  CHECK(found["blocks"].size() == 10'000);
+  CHECK(found["block_count"] == 10'010);
+  CHECK(found["pass_count"] == 1);
+  CHECK_THAT(run_axisc({"simulate", "m.json", "--program", "p.nc"}, there).out,
+             Catch::Matchers::Contains("\n  and 10 more\n"));
+}
+
 TEST_CASE("passes say which tolerance they keep") {
   TemporaryFolder const folder;
   auto const there = two_axes(folder);

@@ -1,0 +1,148 @@
+#include "axisc/answers/simulation/program_answer.hpp"
+
+#include "analysis/motion/point.hpp"
+
+#include <iterator>
+
+namespace axisc::says {
+
+constexpr Sentence title{"{blocks} blocks, {cycles} cycles of {cycle_time}, {time}",
+                         "{blocks} Sätze, {cycles} Zyklen zu {cycle_time}, {time}"};
+constexpr Sentence passes{"passes: from one #FILTER command to the next",
+                          "Durchgänge: von einem #FILTER-Befehl zum nächsten"};
+constexpr Sentence block{"block", "Satz"};
+constexpr Sentence pass{"pass", "Durchgang"};
+constexpr Sentence line{"line", "Zeile"};
+constexpr Sentence time{"time", "Zeit"};
+constexpr Sentence axis_error{"axis error", "Achsfehler"};
+constexpr Sentence deviation{"deviation", "Abweichung"};
+constexpr Sentence lag{"lag", "Nachlauf"};
+constexpr Sentence filters{"filters", "Filter"};
+constexpr Sentence start{"as at start-up", "wie beim Hochlauf"};
+constexpr Sentence exceeds{"{command}: AX_DEV is not kept", "{command}: AX_DEV wird nicht eingehalten"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+using motion::units_per_um;
+using namespace presentation;
+
+Quantity micrometres(double units, int decimals) {
+  return fixed(units / units_per_um, Unit::micrometre, decimals);
+}
+
+Table table_with(std::string const& key, SentenceRef label, SimulatedPath const& path) {
+  Table table{
+      .key = key + "s", .columns = {head_column(key, label), head_column("line", says::line)}, .rows = {}};
+  auto& columns = table.columns;
+  columns.push_back(column("time_s", says::time, Unit::second));
+  columns.push_back(column("max_axis_error_um", says::axis_error, Unit::micrometre));
+  for (auto const& axis : path.axes) columns.push_back(data_column("axis_error_um", axis));
+  columns.push_back(column("max_contour_deviation_um", says::deviation, Unit::micrometre));
+  columns.push_back(column("max_lag_um", says::lag, Unit::micrometre));
+  return table;
+}
+
+/// The command that a pass begins with, and whether it exceeds its tolerance.
+Words filters_of(motion::PassSummary const& pass) {
+  Words const command =
+      pass.command.empty() ? Words(says::start) : Words(says::as_given, {{"text", pass.command}});
+  return pass.keeps_tolerance() ? command : Words(says::exceeds, {{"command", command}});
+}
+
+/// Passes the simulation's events on.
+class Recorder final : public motion::SimulationListener {
+ public:
+  Recorder(ProgramSummary& summary, std::vector<CycleWriter*> const& rows) : summary_(summary), rows_(rows) {}
+
+  void cycle(motion::MeasuredPoint const& point, motion::BlockSummary const& block) override {
+    for (auto* const writer : rows_) writer->cycle(point, block);
+  }
+  void block(motion::BlockSummary const& found) override { summary_.block(found); }
+  void pass(motion::PassSummary const& found) override {
+    summary_.pass(found);
+    if (!found.keeps_tolerance()) exceeded.push_back(found);
+  }
+
+  std::vector<motion::PassSummary> exceeded;
+
+ private:
+  ProgramSummary& summary_;
+  std::vector<CycleWriter*> const& rows_;
+};
+
+}  // namespace
+
+ProgramSummary::ProgramSummary(SimulatedPath const& path)
+    : path_(path),
+      blocks_(table_with("block", says::block, path)),
+      passes_(table_with("pass", says::pass, path)) {
+  passes_.key = "passes";
+  for (auto& one : data_columns({"command", "blocks", "tolerance_um", "tolerance_kept"})) {
+    passes_.columns.push_back(std::move(one));
+  }
+  passes_.columns.push_back({.key = {}, .label = says::filters, .audience = Audience::people});
+}
+
+void ProgramSummary::add(Table& table, Row row, motion::PathSummary const& summary, Row const& rest) {
+  if (table.rows.size() == most_rows) {
+    ++table.left_out;
+    return;
+  }
+  constexpr int decimals = 4;
+  row.emplace_back(fixed(summary.cycles * path_.cycle_time.seconds(), Unit::second, decimals));
+  row.emplace_back(micrometres(summary.largest_axis_error(), decimals));
+  for (std::size_t i = 0; i < path_.axes.size(); ++i) {
+    row.emplace_back(micrometres(summary.axis_error[i], decimals));
+  }
+  row.emplace_back(micrometres(summary.deviation, decimals));
+  row.emplace_back(micrometres(summary.lag, decimals - 1));
+  row.insert(row.end(), rest.begin(), rest.end());
+  table.rows.push_back(std::move(row));
+}
+
+void ProgramSummary::block(motion::BlockSummary const& summary) {
+  add(blocks_, {summary.label, summary.line}, summary, {});
+}
+
+void ProgramSummary::pass(motion::PassSummary const& summary) {
+  std::optional<double> tolerance;
+  std::optional<bool> kept;
+  if (summary.tolerance) {
+    tolerance = *summary.tolerance / units_per_um;
+    kept = summary.keeps_tolerance();
+  }
+  add(passes_, {passes_.rows.size() + 1, summary.line == 0 ? Value() : summary.line}, summary,
+      {summary.command.empty() ? Value() : summary.command, summary.blocks, tolerance, kept,
+       filters_of(summary)});
+}
+
+Document ProgramSummary::answer(FollowedProgram const& followed) && {
+  auto const cycle_time = exact(path_.cycle_time.microseconds(), Unit::microsecond);
+  auto const time = fixed(static_cast<double>(followed.cycles) * path_.cycle_time.seconds(), Unit::second, 3);
+  return {.title = Words(says::title, {{"blocks", followed.blocks},
+                                       {"cycles", followed.cycles},
+                                       {"cycle_time", cycle_time},
+                                       {"time", time}}),
+          .blocks = {Facts{{data("cycle_time_us", cycle_time), data("group", path_.group),
+                            data("axes", Names(path_.axes)), data("block_count", followed.blocks),
+                            data("pass_count", passes_.rows.size() + passes_.left_out),
+                            data("cycles", followed.cycles), data("time_s", time)}},
+                     std::move(blocks_),
+                     Section{.key = {}, .title = says::passes, .blocks = {std::move(passes_)}}}};
+}
+
+SimulatedProgram simulate_answer(ProgramLines& program, ProgramRequest const& request,
+                                 machine::Machine const& machine, std::size_t group,
+                                 SimulatedPath const& path, std::vector<CycleWriter*> const& rows) {
+  ProgramSummary summary(path);
+  Recorder recorder(summary, rows);
+  auto const followed = follow_program(program, request, machine, group, recorder);
+  for (auto* const writer : rows) writer->finish();
+  return {.answer = std::move(summary).answer(followed), .exceeded = std::move(recorder.exceeded)};
+}
+
+}  // namespace axisc

@@ -1,0 +1,158 @@
+#include "axisc/answers/suggestion/suggested.hpp"
+
+#include "axisc/answers/execution/group_chains.hpp"
+#include "axisc/answers/suggestion/resonance_words.hpp"
+#include "axisc/checking/compilable.hpp"
+#include "axisc/environment/failure.hpp"
+#include "diagnostics/format_number.hpp"
+#include "validator/loading/build_version.hpp"
+
+#include <algorithm>
+
+namespace axisc::says {
+
+constexpr Sentence one_source{"name either --resonance or --measured",
+                              "entweder --resonance oder --measured angeben"};
+constexpr Sentence of_measured{"--in and --out belong to --measured", "--in und --out gehören zu --measured"};
+constexpr Sentence which_axis{"name the vibrating axis with --axis",
+                              "die Achse, die schwingt, mit --axis nennen"};
+constexpr Sentence no_channel{
+    "axis {axis} belongs to no channel: its setpoint passes no filter of a path",
+    "Achse {axis} gehört zu keinem Kanal: ihr Sollwert läuft durch keinen Bahnfilter"};
+constexpr Sentence no_acceleration{"axis {axis} has no acceleration: set a_max (P-AXIS-00008)",
+                                   "Achse {axis} hat keine Beschleunigung: a_max (P-AXIS-00008) setzen"};
+constexpr Sentence feed_limited{
+    "axis {axis} moves at most at {limit} mm/min (vb_max, P-AXIS-00212): this feed counts",
+    "Achse {axis} fährt höchstens mit {limit} mm/min (vb_max, P-AXIS-00212): dieser "
+    "Vorschub zählt"};
+constexpr Sentence too_strict{
+    "none of {count} settings keeps {tolerance} mm on a circle of {radius} mm at {feed} mm/min; allow a "
+    "larger tolerance, or a lower feed",
+    "keine von {count} Einstellungen hält {tolerance} mm auf einem Kreis von {radius} mm bei {feed} mm/min "
+    "ein; eine größere Toleranz oder einen kleineren Vorschub zulassen"};
+constexpr Sentence too_weak{
+    "of {count} settings that keep {tolerance} mm on a circle of {radius} mm at {feed} mm/min, the best "
+    "leaves {left} % of the vibration: too much to suggest it; allow a larger tolerance, or a lower feed",
+    "von {count} Einstellungen, die {tolerance} mm auf einem Kreis von {radius} mm bei {feed} mm/min "
+    "einhalten, lässt die beste {left} % der Schwingung: zu viel für einen Vorschlag; eine größere Toleranz "
+    "oder einen kleineren Vorschub zulassen"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+/// The channel of an axis; of a gantry slave that of its master.
+std::size_t group_of(machine::Machine const& machine, std::size_t axis) {
+  for (std::size_t i = 0; i < machine.groups.size(); ++i) {
+    auto const& axes = machine.groups[i].axes;
+    if (std::find(axes.begin(), axes.end(), axis) != axes.end()) return i;
+  }
+  if (machine.axes[axis].gantry_master) return group_of(machine, *machine.axes[axis].gantry_master);
+  throw Failure({.sentence = says::no_channel, .arguments = {{"axis", machine.axes[axis].name}}});
+}
+
+/// Without resonances.
+tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& subject,
+                     std::optional<Message>& remark) {
+  constexpr double mm_per_min_of_um_per_s = 0.06;
+  auto const& machine = subject.machine;
+  auto const& axis = machine.axes[subject.axis];
+  double const T = machine.cycle_time.seconds();
+  if (!(axis.acceleration_limit > 0)) {
+    throw Failure({.sentence = says::no_acceleration, .arguments = {{"axis", axis.name}}});
+  }
+  double feed = question.feed_mm_per_min;
+  double const limit = axis.velocity_limit * mm_per_min_of_um_per_s;
+  if (limit > 0 && feed > limit) {
+    feed = limit;
+    remark = {.sentence = says::feed_limited,
+              .arguments = {{"axis", axis.name}, {"limit", format_rounded(limit, 6)}}};
+  }
+  auto const& build = subject.loaded.build;
+  bool const knows_fir = !build || !(*build < validator::builds::fir_command);
+  return {.cycle_time = machine.cycle_time,
+          .resonances = {},
+          .velocity = path_velocity(feed, machine.cycle_time),
+          .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T,
+          .tolerance = question.tolerance_mm * motion::units_per_mm,
+          .radius = question.radius_mm * motion::units_per_mm,
+          .goal = question.goal,
+          .family = knows_fir ? machine::KernelFamily::fir : machine::KernelFamily::hsc,
+          .readings = subject.loaded.readings};
+}
+
+Message nothing_helps(NoSuggestion const& none, SuggestQuestion const& question) {
+  bool const keeps = none.keeps > 0;
+  constexpr double percent = 100;
+  return {.sentence = keeps ? SentenceRef(says::too_weak) : SentenceRef(says::too_strict),
+          .arguments = {{"count", std::to_string(keeps ? none.keeps : none.looked_at)},
+                        {"tolerance", exact_number(question.tolerance_mm)},
+                        {"radius", exact_number(question.radius_mm)},
+                        {"feed", format_rounded(question.feed_mm_per_min, 6)},
+                        {"left", format_rounded(none.least_vibration * percent, 3)}}};
+}
+
+}  // namespace
+
+std::optional<Suggested> suggest(SuggestQuestion const& question, ErrorSink const& errors) {
+  auto const refuse = [](SentenceRef why) { return Failure({.sentence = why, .arguments = {}}); };
+  auto const& [in, out] = question.columns;
+  if (question.resonances.has_value() == question.measured.has_value()) throw refuse(says::one_source);
+  if (!question.measured && (in || out)) throw refuse(says::of_measured);
+  SettingsFinder settings;
+  CheckJob job;
+  job.options.cycle_time = question.machine.cycle_time;
+  job.settings = &settings;
+  DiskFiles disk(question.machine.input == "-");
+  auto const [path, list] = machine_of_input(question.machine, job, disk);
+  SourceSet sources;
+  std::optional<validator::LoadedMachine> loaded;
+  auto const checked = check_machine(job, path, disk, errors, sources, loaded);
+  if (!checked) return std::nullopt;
+  require_cycle_time(path, *checked);
+  auto const& machine = *checked->machine;
+  auto const axis =
+      question.axis ? axis_named(machine, *question.axis) : axis_of_list(*loaded, sources, list);
+  if (!axis) throw refuse(says::which_axis);
+  SuggestionSubject const subject{.path = path,
+                                  .job = job,
+                                  .loaded = *loaded,
+                                  .sources = sources,
+                                  .machine = machine,
+                                  .group = group_of(machine, *axis),
+                                  .axis = *axis};
+  Suggested found{
+      .axis = machine.axes[*axis].name, .group = machine.groups[subject.group].name, .files = checked->files};
+  for (auto const& file : {question.measured, question.plant}) {
+    if (file) found.files.push_back(*file);
+  }
+  std::optional<MeasuredResonances> measured;
+  std::vector<tuning::Resonance> resonances;
+  if (question.measured) {
+    constexpr double below_nyquist = 0.9;
+    measured = measured_resonances(*question.measured, question.columns,
+                                   below_nyquist * machine.cycle_time.nyquist().value);
+    found.refusal = measured->refusal;
+    if (found.refusal) return found;
+    for (auto const& peak : measured->peaks) {
+      resonances.push_back(
+          {.frequency = peak.frequency, .damping = peak.damping, .uncertainty = peak.frequency_uncertainty});
+    }
+  } else {
+    resonances = read_resonances(question.resonances.value_or(""), machine.cycle_time);
+  }
+  found.task = task_of(question, subject, found.remark);
+  found.task.resonances = std::move(resonances);
+  if (question.plant) found.damping = damping_for(subject, found.task, *question.plant);
+  found.filters = suggestion_for(subject, found.task);
+  if (auto* const suggestion = std::get_if<Suggestion>(&found.filters)) {
+    suggestion->measured = std::move(measured);
+  } else {
+    found.refusal = nothing_helps(std::get<NoSuggestion>(found.filters), question);
+  }
+  return found;
+}
+
+}  // namespace axisc
