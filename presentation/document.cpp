@@ -53,11 +53,14 @@ Section part(Words title, std::vector<Block> blocks, Audience audience) {
 void add_row(Table& table, std::vector<Field> fields) {
   if (table.rows.empty()) {
     bool has_head = false;
-    for (auto& [key, label, value, audience] : fields) {
+    for (auto& [key, label, value, audience, member] : fields) {
       bool const is_head = !has_head && audience != Audience::programs;
       has_head = has_head || is_head;
-      table.columns.push_back(
-          {.key = std::move(key), .label = std::move(label), .audience = audience, .is_head = is_head});
+      table.columns.push_back({.key = std::move(key),
+                               .label = std::move(label),
+                               .member = std::move(member),
+                               .audience = audience,
+                               .is_head = is_head});
     }
   }
   auto& row = table.rows.emplace_back();
