@@ -48,7 +48,8 @@ bool is_written_so(std::string const& line) {
   return std::regex_match(line, written);
 }
 
-/// The lines with a number that has a decimal point, outside of code spans, quoted lines, versions and references.
+/// The lines with a number that has a decimal point, outside of code spans, quoted lines, versions and
+/// references.
 std::vector<std::string> lines_with_points(std::string const& text) {
   static std::regex const code("`[^`]*`|#FILTER[^\\]]*\\]|P-AXIS-[0-9]+\\.[0-9]+");
   static std::regex const number(R"((^|[^\w.:=/,])[-+]?\d+\.\d+(?!\w|\.\w))");
