@@ -1,15 +1,8 @@
-;
-;
-;
-axisc.el-- - Axis lists of TwinCAT CNC and ISG controls - *-lexical - binding : t - *-
+;;; axisc.el --- Axis lists of TwinCAT CNC and ISG controls  -*- lexical-binding: t -*-
 
-    ;
-;
-Starts `axisc lsp' through Eglot for axis lists and machine files.
+;; Starts `axisc lsp' through Eglot for axis lists and machine files.
 
-    ;
-;
-; Code:
+;;; Code:
 
 (require 'eglot)
 

@@ -1,8 +1,8 @@
 // What every form of the client has in common, however it reaches the server.
-import type {LanguageClientOptions, Middleware} from 'vscode-languageclient';
-import {isPage} from './page';
-import {show} from './preview';
-import {serverSettings} from './settings';
+import type { LanguageClientOptions, Middleware } from 'vscode-languageclient';
+import { isPage } from './page';
+import { show } from './preview';
+import { serverSettings } from './settings';
 
 /** Lists by the control vendor's extension or by this one, NC programs, and the files that make a machine of lists. */
 export const languages = ['isg-list', 'axis-list', 'isg-cnc'];
@@ -24,12 +24,11 @@ function middleware(): Middleware {
 
 export function clientOptions(schemes: string[]): LanguageClientOptions {
   return {
-    documentSelector: schemes.flatMap(
-        (scheme) =>
-            [...languages.map((id) => ({scheme, language: id})),
-             {scheme, pattern: machineFiles},
-             {scheme, pattern: programs},
-  ]),
+    documentSelector: schemes.flatMap((scheme) => [
+      ...languages.map((id) => ({ scheme, language: id })),
+      { scheme, pattern: machineFiles },
+      { scheme, pattern: programs },
+    ]),
     initializationOptions: serverSettings,
     middleware: middleware(),
   };

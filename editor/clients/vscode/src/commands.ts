@@ -1,6 +1,6 @@
 // The commands that show a page: the server computes it, whatever is unsaved included.
 import * as vscode from 'vscode';
-import type {BaseLanguageClient} from 'vscode-languageclient';
+import type { BaseLanguageClient } from 'vscode-languageclient';
 
 const kinds = ['response', 'step', 'delay', 'corner', 'circle'];
 
@@ -12,8 +12,7 @@ async function call(client: BaseLanguageClient, command: string, ...more: string
     return;
   }
   if (!offered(client).includes(command)) {
-    void vscode.window.showErrorMessage(
-        vscode.l10n.t('This axisc does not know {0}; install a newer one.', command));
+    void vscode.window.showErrorMessage(vscode.l10n.t('This axisc does not know {0}; install a newer one.', command));
     return;
   }
   try {
@@ -30,22 +29,19 @@ function offered(client: BaseLanguageClient): string[] {
 
 export function registerCommands(client: () => BaseLanguageClient | undefined): vscode.Disposable {
   const command = (name: string, run: (client: BaseLanguageClient, word: string) => Promise<void>) =>
-      vscode.commands.registerCommand(name, async (word: unknown) => {
-        const running = client();
-        if (running !== undefined) await run(running, String(word));
-      });
+    vscode.commands.registerCommand(name, async (word: unknown) => {
+      const running = client();
+      if (running !== undefined) await run(running, String(word));
+    });
   return vscode.Disposable.from(
-      command('axisc.showReport', (running) => call(running, 'axisc.report')),
-      // From the code of a finding.
-      command('axisc.showFinding', (running, code) => call(running, 'axisc.explain', code)),
-      command('axisc.showMachine', (running) => call(running, 'axisc.machine')),
-      command(
-          'axisc.showPlot',
-          async (running) => {
-            const kind =
-                await vscode.window.showQuickPick(kinds, {placeHolder: vscode.l10n.t('What to draw')});
-            if (kind !== undefined) await call(running, 'axisc.plot', kind);
-          }),
+    command('axisc.showReport', (running) => call(running, 'axisc.report')),
+    // From the code of a finding.
+    command('axisc.showFinding', (running, code) => call(running, 'axisc.explain', code)),
+    command('axisc.showMachine', (running) => call(running, 'axisc.machine')),
+    command('axisc.showPlot', async (running) => {
+      const kind = await vscode.window.showQuickPick(kinds, { placeHolder: vscode.l10n.t('What to draw') });
+      if (kind !== undefined) await call(running, 'axisc.plot', kind);
+    }),
   );
 }
 

@@ -7,9 +7,8 @@ export interface Page {
 }
 
 export function isPage(answer: unknown): answer is Page {
-  const page = answer as Partial<Page>| null;
-  return typeof page?.html === 'string' && typeof page.title === 'string' &&
-      (page.scripts === undefined || Array.isArray(page.scripts));
+  const page = answer as Partial<Page> | null;
+  return typeof page?.html === 'string' && typeof page.title === 'string' && (page.scripts === undefined || Array.isArray(page.scripts));
 }
 
 const digest = /^sha256-[A-Za-z0-9+/]{43}=$/;
@@ -18,10 +17,9 @@ const digest = /^sha256-[A-Za-z0-9+/]{43}=$/;
  * The page for a webview. Styles are inline, pictures are in the page; everything else is refused, also a script in the page that
  * the server does not name: it may have come out of a list.
  */
-export function guarded({html, scripts = []}: Page): string {
+export function guarded({ html, scripts = [] }: Page): string {
   const named = scripts.filter((script) => digest.test(script)).map((script) => `'${script}'`);
-  const policy = `default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src ${
-      named.join(' ') || '\'none\''}`;
+  const policy = `default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src ${named.join(' ') || "'none'"}`;
   const meta = `<meta http-equiv="Content-Security-Policy" content="${policy}">`;
   const head = /<head[^>]*>/i.exec(html);
   if (head === null) return `<!doctype html><html><head>${meta}</head><body>${html}</body></html>`;

@@ -1,5 +1,5 @@
 import * as vscode from 'vscode';
-import {guarded, type Page} from './page';
+import { guarded, type Page } from './page';
 
 const panels = new Map<string, vscode.WebviewPanel>();
 
@@ -9,10 +9,10 @@ export function show(command: string, page: Page): void {
   let panel = panels.get(command);
   if (panel === undefined) {
     panel = vscode.window.createWebviewPanel(
-        command,
-        page.title,
-        {viewColumn: vscode.ViewColumn.Beside, preserveFocus: true},
-        {enableScripts: true, localResourceRoots: [], enableFindWidget: true},
+      command,
+      page.title,
+      { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
+      { enableScripts: true, localResourceRoots: [], enableFindWidget: true },
     );
     panels.set(command, panel);
     panel.onDidDispose(() => panels.delete(command));

@@ -22,14 +22,15 @@ function isProgram(file: string): boolean {
  * The program that `setting` names: a file, or a name on the PATH. An empty setting is `axisc`. Undefined where there is
  * none. A relative path is refused: it would depend on the folder that the editor was started in.
  */
-export function findProgram(setting: string, surroundings: Surroundings): string|undefined {
+export function findProgram(setting: string, surroundings: Surroundings): string | undefined {
   const name = setting.trim() || 'axisc';
   const endings = ['', ...surroundings.endings.split(';').filter((ending) => ending !== '')];
   const candidates = (file: string) => endings.map((ending) => file + ending);
   if (path.isAbsolute(name)) return candidates(name).find(isProgram);
   if (name.includes('/') || name.includes(path.sep)) return undefined;
-  return surroundings.path.split(path.delimiter)
-      .filter((folder) => path.isAbsolute(folder))
-      .flatMap((folder) => candidates(path.join(folder, name)))
-      .find(isProgram);
+  return surroundings.path
+    .split(path.delimiter)
+    .filter((folder) => path.isAbsolute(folder))
+    .flatMap((folder) => candidates(path.join(folder, name)))
+    .find(isProgram);
 }

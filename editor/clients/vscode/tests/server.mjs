@@ -1,23 +1,25 @@
 // A conversation with the real program: AXISC, else the one on the PATH.
-import {spawn, spawnSync} from 'node:child_process';
-import {once} from 'node:events';
-import {readFile} from 'node:fs/promises';
+import { spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
+import { readFile } from 'node:fs/promises';
 import path from 'node:path';
-import {after} from 'node:test';
-import {fileURLToPath, pathToFileURL} from 'node:url';
+import { after } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import protocol from 'vscode-languageserver-protocol/node';
 
 export const program = process.env.AXISC ?? 'axisc';
-export const samples = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../../samples');
+export const samples = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../../../samples');
 export const uriOf = (file) => pathToFileURL(path.resolve(samples, file)).href;
 
 export function lint(...words) {
-  const run = spawnSync(program, ['lint', ...words], {cwd: samples, encoding: 'utf8'});
+  const run = spawnSync(program, ['lint', ...words], { cwd: samples, encoding: 'utf8' });
   if (run.error) throw run.error;
   return run.stdout;
 }
 
-export function findings(file) { return JSON.parse(lint(file, '--format', 'json')).diagnostics; }
+export function findings(file) {
+  return JSON.parse(lint(file, '--format', 'json')).diagnostics;
+}
 
 // A test that failed leaves none behind.
 const started = [];
@@ -25,11 +27,11 @@ after(() => started.forEach((server) => server.kill()));
 
 /** A server after `initialize`; capabilities are what the client says of itself. */
 export async function start(capabilities = {}, more = {}) {
-  const process = spawn(program, ['lsp', '--lang', 'en'], {cwd: samples, stdio: ['pipe', 'pipe', 'inherit']});
+  const process = spawn(program, ['lsp', '--lang', 'en'], { cwd: samples, stdio: ['pipe', 'pipe', 'inherit'] });
   started.push(process);
   const connection = protocol.createProtocolConnection(
-      new protocol.StreamMessageReader(process.stdout),
-      new protocol.StreamMessageWriter(process.stdin),
+    new protocol.StreamMessageReader(process.stdout),
+    new protocol.StreamMessageWriter(process.stdin),
   );
   const published = new Map();
   const waiting = new Set();
@@ -53,7 +55,7 @@ export async function start(capabilities = {}, more = {}) {
     /** Opens a document; its first diagnostics. */
     async open(uri, text) {
       await connection.sendNotification('textDocument/didOpen', {
-        textDocument: {uri, languageId: 'axis-list', version: 1, text},
+        textDocument: { uri, languageId: 'axis-list', version: 1, text },
       });
       return server.diagnostics(uri, 1);
     },
@@ -74,7 +76,7 @@ export async function start(capabilities = {}, more = {}) {
       }
       return published.get(uri).diagnostics;
     },
-    ask: (method, uri, more) => connection.sendRequest(method, {textDocument: {uri}, ...more}),
+    ask: (method, uri, more) => connection.sendRequest(method, { textDocument: { uri }, ...more }),
     /** The exit status after a proper farewell. */
     async end() {
       const exit = once(process, 'exit');

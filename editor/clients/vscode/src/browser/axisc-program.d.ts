@@ -1,12 +1,12 @@
 // build/wasm/bin/axisc.js, as docs/webassembly.md describes it.
-import type {Program} from '../../../../cli/browser/server.mjs';
+import type { Program } from '../../../../../cli/browser/server.mjs';
 
 export interface Instance extends Program {
   FS: {
-    mkdirTree(path: string): void; writeFile(path: string, bytes: Uint8Array): void;
+    mkdirTree(path: string): void;
+    writeFile(path: string, bytes: Uint8Array): void;
     unlink(path: string): void;
-    analyzePath(path: string): {exists: boolean};
+    analyzePath(path: string): { exists: boolean };
   };
 }
-export default function createAxisc(options: {wasmBinary: Uint8Array; printErr(line: string): void}):
-    Promise<Instance>;
+export default function createAxisc(options: { wasmBinary: Uint8Array; printErr(line: string): void }): Promise<Instance>;

@@ -1,10 +1,8 @@
 // The files of the workspace for the server, which sees no others: all at the start, then each that changes.
 import * as vscode from 'vscode';
-
-import {endings} from '../client';
-
-import type {FileState} from './messages';
-import {pathOf} from './names';
+import { endings } from '../client';
+import type { FileState } from './messages';
+import { pathOf } from './names';
 
 const skipped = new Set(['node_modules', '.git']);
 const wanted = (name: string) => endings.some((ending) => name.endsWith(`.${ending}`));
@@ -12,9 +10,9 @@ const wanted = (name: string) => endings.some((ending) => name.endsWith(`.${endi
 /** The file as the disk has it: a file that cannot be read does not exist for the server either. */
 export async function stateOf(uri: vscode.Uri): Promise<FileState> {
   try {
-    return {kind: 'file', path: pathOf(uri), bytes: await vscode.workspace.fs.readFile(uri)};
+    return { kind: 'file', path: pathOf(uri), bytes: await vscode.workspace.fs.readFile(uri) };
   } catch {
-    return {kind: 'file', path: pathOf(uri)};
+    return { kind: 'file', path: pathOf(uri) };
   }
 }
 
@@ -32,5 +30,5 @@ async function below(folder: vscode.Uri): Promise<FileState[]> {
 
 export async function filesOfWorkspace(): Promise<FileState[]> {
   const folders = vscode.workspace.workspaceFolders ?? [];
-  return (await Promise.all(folders.map(({uri}) => below(uri)))).flat();
+  return (await Promise.all(folders.map(({ uri }) => below(uri)))).flat();
 }

@@ -15,8 +15,8 @@ export interface FileState {
   bytes?: Uint8Array;
 }
 
-export type Told = Beginning|FileState;
+export type Told = Beginning | FileState;
 
 export function isTold(message: unknown): message is Told {
-  return typeof (message as Partial<Told>| null)?.kind === 'string';
+  return typeof (message as Partial<Told> | null)?.kind === 'string';
 }

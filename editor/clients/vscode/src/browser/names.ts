@@ -16,5 +16,5 @@ export function toServer(uri: vscode.Uri): string {
 export function fromServer(text: string): vscode.Uri {
   const uri = vscode.Uri.parse(text);
   const [, scheme, authority, path] = /^\/([^/+]+)\+([^/]*)(\/.*)$/.exec(uri.path) ?? [];
-  return uri.scheme === 'file' && scheme !== undefined ? vscode.Uri.from({scheme, authority, path}) : uri;
+  return uri.scheme === 'file' && scheme !== undefined ? vscode.Uri.from({ scheme, authority, path }) : uri;
 }

@@ -1,7 +1,7 @@
 // The server: the program as WebAssembly, beside a file system in memory.
-import createAxisc, {type Instance} from 'axisc-program';
-import {begin, take} from '../../../../cli/browser/server.mjs';
-import {type Beginning, type FileState, isTold} from './messages';
+import createAxisc, { type Instance } from 'axisc-program';
+import { begin, take } from '../../../../../cli/browser/server.mjs';
+import { type Beginning, type FileState, isTold } from './messages';
 
 /** As JSON-RPC numbers it. */
 const invalidParams = -32602;
@@ -10,12 +10,12 @@ const said: string[] = [];
 let program: Instance;
 let hasBegun = false;
 
-async function beginWith({program: wasmBinary, words}: Beginning): Promise<void> {
-  program = await createAxisc({wasmBinary, printErr: (line) => said.push(line)});
+async function beginWith({ program: wasmBinary, words }: Beginning): Promise<void> {
+  program = await createAxisc({ wasmBinary, printErr: (line) => said.push(line) });
   hasBegun = begin(program, words);
 }
 
-function keep({path, bytes}: FileState): void {
+function keep({ path, bytes }: FileState): void {
   if (bytes !== undefined) {
     program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
     program.FS.writeFile(path, bytes);
@@ -25,7 +25,7 @@ function keep({path, bytes}: FileState): void {
 }
 
 interface Message {
-  id?: number|string;
+  id?: number | string;
 }
 
 /** Answers messages that arrived together: the server checks only the last of several changes. */
@@ -34,10 +34,9 @@ function answer(messages: Message[]): void {
     for (const sent of take(program, ...messages)) postMessage(sent);
     return;
   }
-  for (const {id} of messages) {
+  for (const { id } of messages) {
     // The program was not started rightly: what it says of that is shown by the client.
-    if (id !== undefined)
-      postMessage({jsonrpc: '2.0', id, error: {code: invalidParams, message: said.join('\n')}});
+    if (id !== undefined) postMessage({ jsonrpc: '2.0', id, error: { code: invalidParams, message: said.join('\n') } });
   }
 }
 
@@ -58,17 +57,15 @@ async function takeAll(): Promise<void> {
       }
       if (messages.length > 0) answer(messages);
       messages = [];
-      if (data.kind === 'begin')
-        await beginWith(data);
-      else
-        keep(data);
+      if (data.kind === 'begin') await beginWith(data);
+      else keep(data);
     }
     if (messages.length > 0) answer(messages);
   }
   isTaking = false;
 }
 
-addEventListener('message', ({data}: MessageEvent<unknown>) => {
+addEventListener('message', ({ data }: MessageEvent<unknown>) => {
   waiting.push(data);
   if (!isTaking) void takeAll();
 });
