@@ -33,9 +33,10 @@ TEST_CASE("a pass beyond its tolerance is marked in every format, and said with 
   auto pass = exceeding();
   REQUIRE_FALSE(pass.keeps_tolerance());
   using presentation::Format;
-  for (auto const format : {Format::text, Format::html}) {
-    CHECK_THAT(summary_of(pass, format), Contains("#FILTER ON [AX_DEV=0.001]: AX_DEV is not kept"));
-  }
+  CHECK_THAT(summary_of(pass, Format::html), Contains("#FILTER ON [AX_DEV=0.001]: AX_DEV is not kept"));
+  // A long cell is broken.
+  CHECK_THAT(summary_of(pass, Format::text),
+             Contains("#FILTER ON [AX_DEV=0.001]") && Contains("AX_DEV is not kept"));
   CHECK_THAT(summary_of(pass, Format::markdown), Contains(": AX_DEV is not kept"));
   CHECK_THAT(summary_of(pass, Format::json),
              Contains("\"tolerance_um\": 1,") && Contains("\"tolerance_kept\": false"));
