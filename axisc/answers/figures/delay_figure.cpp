@@ -17,8 +17,8 @@ constexpr Sentence delay_quantity{"group delay", "Gruppenlaufzeit"};
 constexpr Sentence delay_axis{"axis", "Achse"};
 constexpr Sentence delay_share{"share", "Anteil"};
 constexpr Sentence delay_before{"{axis}, before", "{axis}, vorher"};
-constexpr Sentence delay_was{"{quantity}, before", "{quantity}, vorher"};
-constexpr Sentence delay_is{"{quantity}, now", "{quantity}, jetzt"};
+constexpr Sentence delay_was{"before [ms]", "vorher [ms]"};
+constexpr Sentence delay_is{"now [ms]", "jetzt [ms]"};
 constexpr Sentence delay_difference{"difference", "Differenz"};
 constexpr Sentence delay_kernel{"FIR/HSC filter", "FIR-/HSC-Filter"};
 constexpr Sentence delay_total{"sum", "Summe"};
@@ -133,14 +133,13 @@ void add_rows(pictures::Table& table, PlotSubject const& subject, AxisDelay cons
 
 pictures::Table delay_table(PlotSubject const& subject, std::vector<AxisDelay> const& delays) {
   pictures::Table table;
-  std::string const quantity = subject.say(says::delay_quantity) + " [ms]";
   table.header = {subject.say(says::delay_axis), subject.say(says::delay_share)};
   if (subject.before) {
-    table.header.push_back(subject.say(says::delay_was, {{"quantity", quantity}}));
-    table.header.push_back(subject.say(says::delay_is, {{"quantity", quantity}}));
+    table.header.push_back(subject.say(says::delay_was));
+    table.header.push_back(subject.say(says::delay_is));
     table.header.push_back(subject.say(says::delay_difference));
   } else {
-    table.header.push_back(quantity);
+    table.header.push_back(subject.say(says::delay_quantity) + " [ms]");
   }
   for (std::size_t i = 0; i < delays.size(); ++i) {
     if (delays[i].was) continue;
