@@ -33,19 +33,6 @@ namespace {
 
 using Rules = std::vector<validator::Rule const*>;
 
-Symbol severity_symbol(Severity severity) {
-  auto const name = severity_name(severity);
-  switch (severity) {
-    case Severity::error:
-      return {name, says::word_error};
-    case Severity::warning:
-      return {name, says::word_warning};
-    case Severity::note:
-      break;
-  }
-  return {name, says::word_note};
-}
-
 Value text_or_nothing(std::string_view text) {
   return text.empty() ? Value() : Value(text);
 }
@@ -118,6 +105,19 @@ Document document_of(Section section) {
 }
 
 }  // namespace
+
+Symbol severity_symbol(Severity severity) {
+  auto const name = severity_name(severity);
+  switch (severity) {
+    case Severity::error:
+      return {name, says::word_error};
+    case Severity::warning:
+      return {name, says::word_warning};
+    case Severity::note:
+      break;
+  }
+  return {name, says::word_note};
+}
 
 Section rule_section(validator::Rule const& rule) {
   auto const code = code_text(rule.code);

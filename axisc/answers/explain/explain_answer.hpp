@@ -23,6 +23,7 @@ struct ExplainQuestion {
 [[nodiscard]] presentation::Document parameter_answer(schema::Catalogue const& catalogue,
                                                       schema::Parameter const& parameter);
 
+[[nodiscard]] presentation::Symbol severity_symbol(Severity severity);
 /// Their sections; the id of a rule's is the code.
 [[nodiscard]] presentation::Section rule_section(validator::Rule const& rule);
 [[nodiscard]] presentation::Section parameter_section(schema::Catalogue const& catalogue,

@@ -227,13 +227,19 @@ std::vector<Block> head(InspectQuestion const& question, ImageFile const& file) 
 }  // namespace
 
 std::vector<Block> inspect_axes(image::ImageContents const& image, std::span<std::size_t const> axes,
-                                std::span<image::ChainFigures const> figures) {
+                                std::span<image::ChainFigures const> figures, Audience audience) {
+  std::vector<Block> blocks{axes_table(image, axes, figures)};
+  auto const kernels = reachable_kernels(image, axes);
   std::vector<std::size_t> all(image.kernels.size());
   std::iota(all.begin(), all.end(), 0U);
-  std::vector<Block> blocks{axes_table(image, axes, figures), kernels_table(image, all, Audience::programs)};
-  if (auto const kernels = reachable_kernels(image, axes); !kernels.empty()) {
-    blocks.emplace_back(Section{
-        .key = {}, .title = says::kernels, .blocks = {kernels_table(image, kernels, Audience::people)}});
+  // Finding the zeros of a kernel takes time: one table serves people and programs where it can.
+  bool const serves_all = !kernels.empty() && kernels == all;
+  if (!serves_all && audience != Audience::people) {
+    blocks.emplace_back(kernels_table(image, all, Audience::programs));
+  }
+  if (!kernels.empty()) {
+    auto table = kernels_table(image, kernels, serves_all ? audience : Audience::people);
+    blocks.emplace_back(part(says::kernels, {std::move(table)}));
   }
   blocks.emplace_back(channel_sections(image, axes));
   return blocks;
@@ -245,8 +251,8 @@ Document inspect_answer(InspectQuestion const& question, ImageFile const& file) 
                   .title = Words(says::image, {{"file", question.image}}),
                   .blocks = head(question, file),
                   .csv_table = "axes"};
-  auto const more =
-      inspect_axes(file.contents, axes, image::chain_figures(file.bytes.bytes(), file.contents, axes));
+  auto const more = inspect_axes(
+      file.contents, axes, image::chain_figures(file.bytes.bytes(), file.contents, axes), Audience::all);
   answer.blocks.insert(answer.blocks.end(), more.begin(), more.end());
   return answer;
 }

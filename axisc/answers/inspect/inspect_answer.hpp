@@ -23,10 +23,11 @@ struct InspectQuestion {
 [[nodiscard]] presentation::Document inspect_answer(InspectQuestion const& question, ImageFile const& file);
 
 /// The parts about some axes, without the head of the image: chains, coefficients, kernels and channels.
-/// `figures` are those of the axes.
+/// `figures` are those of the axes. For Audience::people kernels that only programs read are left out.
 [[nodiscard]] std::vector<presentation::Block> inspect_axes(image::ImageContents const& image,
                                                             std::span<std::size_t const> axes,
-                                                            std::span<image::ChainFigures const> figures);
+                                                            std::span<image::ChainFigures const> figures,
+                                                            presentation::Audience audience);
 
 /// The axes' lists, one after the other; a comment after each value names its origin. Failure for an image
 /// without lists.

@@ -1,4 +1,5 @@
 #include "axisc/answers/inspect/inspect_answer.hpp"
+#include "axisc/answers/inspect/inspect_parts.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/asked/filter_symbols.hpp"
@@ -20,9 +21,6 @@ constexpr Sentence kernel_is_off{
     "As from start-up, where the FIR/HSC filter is off; what it does after #FILTER ON is under the contours.",
     "Wie ab Hochlauf, wo der FIR-/HSC-Filter aus ist; was er nach #FILTER ON tut, steht bei den Konturen."};
 constexpr Sentence values_summary{"What its lists set, and where", "Was ihre Listen setzen, und wo"};
-constexpr Sentence values_name{"parameter", "Parameter"};
-constexpr Sentence values_value{"value", "Wert"};
-constexpr Sentence values_place{"from", "aus"};
 constexpr Sentence coefficients_summary{"Filters, coefficients and poles", "Filter, Koeffizienten und Pole"};
 
 }  // namespace axisc::says
@@ -32,14 +30,10 @@ namespace axisc {
 namespace {
 
 std::string values_of(ReportSubject const& subject, image::ImageAxis const& axis) {
-  pictures::Table table;
-  table.header = {subject.say(says::values_name), subject.say(says::values_value),
-                  subject.say(says::values_place)};
-  for (auto const& value : axis.values) {
-    table.rows.push_back({value.name, value.value, value.list + ":" + std::to_string(value.line)});
-  }
-  return table.rows.empty() ? std::string()
-                            : details(subject.say(says::values_summary), pictures::table_element(table));
+  if (axis.values.empty()) return {};
+  auto const table = values_table("values", axis.values, presentation::Audience::people);
+  return details(subject.say(says::values_summary),
+                 presentation::html_of({table}, 4, {.language = subject.language}));
 }
 
 /// One axis, compiled and executed alone: otherwise each axis would cost as much as the machine.
@@ -67,7 +61,8 @@ class AxisAlone {
 /// What `inspect` says of the axis, without the head of the image.
 std::string coefficients_of(ReportSubject const& subject, std::size_t axis,
                             image::ChainFigures const& figures) {
-  auto const blocks = inspect_axes(subject.plots->contents(), std::span(&axis, 1), std::span(&figures, 1));
+  auto const blocks = inspect_axes(subject.plots->contents(), std::span(&axis, 1), std::span(&figures, 1),
+                                   presentation::Audience::people);
   return details(subject.say(says::coefficients_summary),
                  presentation::html_of(blocks, 4, {.language = subject.language}));
 }

@@ -1,7 +1,6 @@
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
-#include "diagnostics/sentences.hpp"
 #include "presentation/pictures/svg_text.hpp"
 #include "presentation/writers.hpp"
 #include "validator/engine/rule.hpp"
@@ -18,22 +17,6 @@ constexpr Sentence more_findings{"{count} more findings: `axisc lint` prints all
 
 namespace axisc {
 
-namespace {
-
-std::string severity_word(ReportSubject const& subject, Severity severity) {
-  switch (severity) {
-    case Severity::error:
-      return subject.say(says::word_error);
-    case Severity::warning:
-      return subject.say(says::word_warning);
-    case Severity::note:
-      return subject.say(says::word_note);
-  }
-  return {};
-}
-
-}  // namespace
-
 std::string findings_section(ReportSubject const& subject) {
   if (subject.findings.empty()) return text_of("p", subject.say(says::no_findings)) + "\n";
   std::string text;
@@ -42,7 +25,7 @@ std::string findings_section(ReportSubject const& subject) {
     if (++shown > most_shown_findings) break;
     std::string const code = code_text(finding.code);
     text += R"(<section class="finding"><h3>)";
-    text += pictures::escaped(severity_word(subject, finding.severity));
+    text += pictures::escaped(presentation::text_of(severity_symbol(finding.severity), subject.language));
     text.append(": <a")
         .append(pictures::attribute("href", "#" + code))
         .append(">")
