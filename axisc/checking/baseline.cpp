@@ -1,9 +1,9 @@
 #include "axisc/checking/baseline.hpp"
 
-#include "axisc/answers/json_text.hpp"
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/disk_files.hpp"
+#include "diagnostics/writers/json_text.hpp"
 
 #include <charconv>
 #include <limits>

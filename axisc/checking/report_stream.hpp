@@ -6,6 +6,7 @@
 #include "axisc/checking/checked_input.hpp"
 #include "axisc/checking/identity_paths.hpp"
 #include "axisc/checking/report_format.hpp"
+#include "axisc/environment/text_sink.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -20,9 +21,6 @@
 #include <vector>
 
 namespace axisc {
-
-/// Receives text piece by piece.
-using TextSink = std::function<void(std::string_view)>;
 
 struct ReportPlan {
   ReportFormat report_format;

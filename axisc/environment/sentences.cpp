@@ -14,7 +14,7 @@ constinit Sentence const bad_count{"{option} needs a positive whole number, not 
                                    "{option} braucht eine positive ganze Zahl, nicht \"{value}\""};
 constinit Sentence const nc_program{
     "{file} is an NC program; compile the machine file that names it",
-    "{file} ist ein NC-Programm; zu übersetzen ist die Maschinendatei, die es nennt"};
+    "{file} ist ein NC-Programm; zu kompilieren ist die Maschinendatei, die es nennt"};
 constinit Sentence const runtime{"the runtime stopped: {reason} ({status})",
                                  "das Laufzeitsystem hielt an: {reason} ({status})"};
 constinit Sentence const unexpected{"unexpected failure: {reason}", "unerwarteter Fehler: {reason}"};

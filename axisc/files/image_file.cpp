@@ -14,23 +14,23 @@ namespace axisc::says {
 
 constexpr Sentence headline{
     "{file} is damaged or was not written by axisc ({status}); compile the lists again",
-    "{file} ist beschädigt oder nicht von axisc geschrieben ({status}); die Listen neu übersetzen"};
+    "{file} ist beschädigt oder nicht von axisc geschrieben ({status}); die Listen neu kompilieren"};
 constexpr Sentence magic{
     "{file} is not a coefficient image ({status}); `axisc compile` makes one from a list or a machine file",
     "{file} ist kein Koeffizientenabbild ({status}); `axisc compile` erzeugt eines aus Liste oder "
     "Maschinendatei"};
 constexpr Sentence not_an_image_short{
     "{file} is cut off or not a coefficient image ({status}); compile the lists again",
-    "{file} ist abgeschnitten oder kein Koeffizientenabbild ({status}); die Listen neu übersetzen"};
+    "{file} ist abgeschnitten oder kein Koeffizientenabbild ({status}); die Listen neu kompilieren"};
 constexpr Sentence size{
     "{file} is cut off or has bytes after its end ({status}); copy it again or compile the lists again",
-    "{file} ist abgeschnitten oder zu lang ({status}); neu kopieren oder die Listen neu übersetzen"};
+    "{file} ist abgeschnitten oder zu lang ({status}); neu kopieren oder die Listen neu kompilieren"};
 constexpr Sentence version{
     "{file} has another format version ({status}); compile the lists with this axisc",
-    "{file} hat eine andere Formatversion ({status}); die Listen mit diesem axisc übersetzen"};
+    "{file} hat eine andere Formatversion ({status}); die Listen mit diesem axisc kompilieren"};
 constexpr Sentence checksum{
     "{file} was changed after it was written ({status}); copy it again or compile the lists again",
-    "{file} wurde nach dem Schreiben verändert ({status}); neu kopieren oder die Listen neu übersetzen"};
+    "{file} wurde nach dem Schreiben verändert ({status}); neu kopieren oder die Listen neu kompilieren"};
 
 constexpr Sentence unknown_axis{"there is no axis \"{axis}\"; the axes are {axes}",
                                 "es gibt keine Achse \"{axis}\"; die Achsen sind {axes}"};

@@ -34,7 +34,7 @@ constexpr Sentence array{
     "\"array\" needs {count} whole numbers from 1 to 1000, one for each [] of {parameter}",
     "\"array\" braucht {count} ganze Zahlen von 1 bis 1000, eine je [] von {parameter}"};
 constexpr Sentence array_fixed{"{parameter} is compiled into images and keeps its {size} entries",
-                               "{parameter} wird in Abbilder übersetzt und behält seine {size} Einträge"};
+                               "{parameter} wird in Abbilder kompiliert und behält seine {size} Einträge"};
 constexpr Sentence array_smaller{
     "{parameter} has {size} entries; a schema file can only add some",
     "{parameter} hat {size} Einträge; eine Schemadatei kann nur weitere hinzufügen"};

@@ -1,8 +1,8 @@
-#include "axisc/answers/text_table.hpp"
 #include "axisc/settings/settings.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/terminal.hpp"
+#include "presentation/text_table.hpp"
 
 namespace axisc::says {
 
@@ -80,7 +80,7 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
       add("severity: " + code_text(code), std::string(severity_name(severity)), from_file);
     }
   }
-  return printable(input) + "\n" + text_table(rows, 2);
+  return printable(input) + "\n" + presentation::text_table(rows, 2);
 }
 
 }  // namespace axisc

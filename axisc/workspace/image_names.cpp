@@ -12,7 +12,7 @@ constexpr Sentence output_collision{
     "{first} and {second} would both be written to {file}; rename one, or compile them into different "
     "folders",
     "{first} und {second} würden beide nach {file} geschrieben; eine umbenennen oder in verschiedene Ordner "
-    "übersetzen"};
+    "kompilieren"};
 constexpr Sentence outside_input_folder{
     "{file} is not below {folder}, to which image names are relative; give another folder with "
     "--input-folder",

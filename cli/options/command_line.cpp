@@ -1,6 +1,5 @@
 #include "cli/options/command_line.hpp"
 
-#include "axisc/answers/text_table.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/version.hpp"
@@ -8,6 +7,7 @@
 #include "cli/options/help_text.hpp"
 #include "cli/options/invocation.hpp"
 #include "cli/options/sentences.hpp"
+#include "presentation/text_table.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "cli/options/help_text.hpp"
 
-#include "axisc/answers/text_table.hpp"
+#include "presentation/text_table.hpp"
 #include "system/process.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void append_words(std::string& text, std::string_view words, std::size_t column,
   while (!words.empty()) {
     auto const word = words.substr(0, words.find(' '));
     words.remove_prefix(std::min(word.size() + 1, words.size()));
-    if (!first && column + 1 + display_width(word) > width) {
+    if (!first && column + 1 + presentation::display_width(word) > width) {
       text += '\n' + std::string(indent, ' ');
       column = indent;
     } else if (!first) {
@@ -32,7 +32,7 @@ void append_words(std::string& text, std::string_view words, std::size_t column,
       ++column;
     }
     text += word;
-    column += display_width(word);
+    column += presentation::display_width(word);
     first = false;
   }
 }
@@ -40,7 +40,7 @@ void append_words(std::string& text, std::string_view words, std::size_t column,
 void append_example(std::string& text, std::string_view line, std::size_t width) {
   auto const begin = line.find_first_not_of(' ');
   auto const gap = line.find("   ", begin);
-  if (display_width(line) <= width || gap == std::string_view::npos) {
+  if (presentation::display_width(line) <= width || gap == std::string_view::npos) {
     text += line;
     return;
   }
@@ -59,7 +59,7 @@ std::string help_row(std::string_view name, std::string_view meaning, std::size_
   constexpr std::size_t narrow_column = 6;
   auto const indent = width < two_columns ? narrow_column : meaning_column;
   std::string text = "  " + std::string(name);
-  auto const column = 2 + display_width(name);
+  auto const column = 2 + presentation::display_width(name);
   bool const fits = column + 2 <= indent;
   text.append(fits ? "" : "\n").append(fits ? indent - column : indent, ' ');
   append_words(text, meaning, indent, indent, width);
@@ -79,7 +79,7 @@ std::string help_paragraphs(std::string_view text, std::size_t width) {
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     if (!line.empty() && line.front() != ' ') {
       paragraph.append(paragraph.empty() ? "" : " ").append(line);
-      if (display_width(line) < shortest_full_line) end_paragraph();
+      if (presentation::display_width(line) < shortest_full_line) end_paragraph();
       continue;
     }
     end_paragraph();

@@ -1,12 +1,12 @@
 #include "cli/output/picture_output.hpp"
 
-#include "axisc/answers/text_table.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/output_file.hpp"
+#include "cli/terminal/printed_width.hpp"
 #include "presentation/pictures/braille.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg.hpp"
-#include "system/process.hpp"
+#include "presentation/text_table.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -26,14 +26,12 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::size_t narrowest = 40;
 constexpr std::size_t widest = 120;
-constexpr std::size_t usual_width = 80;
 
 std::string table_text(pictures::Table const& table) {
   std::vector<std::vector<std::string>> rows{table.header};
   rows.insert(rows.end(), table.rows.begin(), table.rows.end());
-  return text_table(rows, 0);
+  return presentation::text_table(rows, 0);
 }
 
 }  // namespace
@@ -57,7 +55,7 @@ void write_picture(pictures::Figure const& figure, PictureTarget const& target,
   auto& out = invocation.streams.out;
   bool const in_terminal = !target.path && !target.table;
   if (in_terminal) {
-    auto const columns = std::clamp(system::terminal_width().value_or(usual_width), narrowest, widest);
+    auto const columns = std::min(printed_width(), widest);
     out.write(pictures::braille(figure, columns, invocation.language));
   }
   if (target.table || (in_terminal && figure.shows_table)) out.write(table_text(figure.table));

@@ -267,6 +267,21 @@ TEST_CASE("no folder is too full to be read at a glance") {
   }
 }
 
+TEST_CASE("a folder of the library includes none of the folders above it") {
+  std::vector<std::string> const layers = {"environment", "asked",    "files",  "settings",
+                                           "workspace",   "checking", "answers"};
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    for (auto const& source : sources_of("axisc/" + layers[layer])) {
+      for (auto const& included : includes_of(source)) {
+        for (std::size_t above = layer + 1; above < layers.size(); ++above) {
+          INFO(source.string() << " includes " << included);
+          CHECK_FALSE(included.starts_with("axisc/" + layers[above] + "/"));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("the operating system is called in system/ alone") {
   std::set<std::string> const foreign = {"unistd.h",  "fcntl.h", "sys/stat.h", "sys/file.h", "sys/mman.h",
                                          "termios.h", "elf.h",   "link.h",     "dirent.h",   "windows.h"};

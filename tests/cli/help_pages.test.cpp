@@ -1,9 +1,9 @@
 // The pages of cli/help: what commands say about themselves, in --help and on their manual pages.
-#include "axisc/answers/text_table.hpp"
 #include "cli/commands/command_table.hpp"
 #include "cli/help/help_page.hpp"
 #include "cli/manual/man_page.hpp"
 #include "cli/program.hpp"
+#include "presentation/text_table.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 
@@ -66,7 +66,7 @@ TEST_CASE("the pages of help can be read as they are") {
       std::istringstream lines(page_of(name, language));
       for (std::string line; std::getline(lines, line);) {
         INFO("cli/help/" << name << "/" << language << ".md: " << line);
-        CHECK(display_width(line) <= widest);
+        CHECK(presentation::display_width(line) <= widest);
         CHECK_FALSE(line.ends_with(' '));
       }
     }

@@ -1,6 +1,6 @@
 #include "axisc/answers/comparison/compare_answer.hpp"
 
-#include "axisc/answers/json_text.hpp"
+#include "diagnostics/writers/json_text.hpp"
 
 #include <algorithm>
 #include <array>

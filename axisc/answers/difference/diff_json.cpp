@@ -1,5 +1,5 @@
 #include "axisc/answers/difference/diff_formats.hpp"
-#include "axisc/answers/json_text.hpp"
+#include "diagnostics/writers/json_text.hpp"
 #include "image/image_readings.hpp"
 #include "schema/data_type.hpp"
 #include "schema/descriptions/description.hpp"

@@ -1,6 +1,6 @@
 #include "axisc/answers/difference/diff_words.hpp"
-#include "axisc/answers/text_table.hpp"
 #include "diagnostics/terminal.hpp"
+#include "presentation/text_table.hpp"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ std::string text_block(std::vector<DiffLine> const& lines) {
   for (auto const& line : lines) {
     rows.push_back({printable(line.what), printable(line.before), "→", printable(line.after)});
   }
-  return text_table(rows, 2);
+  return presentation::text_table(rows, 2);
 }
 
 /// In one line where there is room.
@@ -28,14 +28,14 @@ std::string text_of(std::vector<std::string> const& places) {
   auto text = begin + printable(places.front());
   if (places.size() == 1) return text + "\n";
   auto const last = " → " + printable(places.back());
-  bool const has_room = display_width(text) + display_width(last) <= line_width;
+  bool const has_room = presentation::display_width(text) + presentation::display_width(last) <= line_width;
   return text + (has_room ? "" : "\n" + begin.substr(1)) + last + "\n";
 }
 
 std::string text_of(DiffParameter const& parameter, std::size_t name_width) {
   auto const& line = parameter.line;
-  std::string text = "  " + padded(line.what, name_width) + "  " + printable(line.before) + " → " +
-                     printable(line.after) + "\n";
+  std::string text = "  " + presentation::padded(line.what, name_width) + "  " + printable(line.before) +
+                     " → " + printable(line.after) + "\n";
   for (auto const* const words : {&parameter.meaning, &parameter.restart}) {
     if (!words->empty()) text += "      " + *words + "\n";
   }
@@ -46,7 +46,7 @@ std::string text_of(DiffParameter const& parameter, std::size_t name_width) {
 std::string text_of(DiffSection const& section) {
   std::size_t name_width = 0;
   for (auto const& parameter : section.parameters) {
-    auto const width = display_width(parameter.line.what);
+    auto const width = presentation::display_width(parameter.line.what);
     if (width <= longest_aligned_name) name_width = std::max(name_width, width);
   }
   std::string text = "\n" + printable(section.title) + "\n" + text_block(section.facts);

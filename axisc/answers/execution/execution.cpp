@@ -1,10 +1,10 @@
 #include "axisc/answers/execution/execution.hpp"
 
-#include "axisc/answers/text_table.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/sentences.hpp"
 #include "axisc/files/csv.hpp"
 #include "diagnostics/format_number.hpp"
+#include "presentation/text_table.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -22,7 +22,8 @@ class TableWriter {
       : is_text_(table.is_text), write_(write) {}
 
   void header(std::vector<std::string> const& names) {
-    for (auto const& name : names) widths_.push_back(std::max(narrowest, display_width(csv_name(name))));
+    for (auto const& name : names)
+      widths_.push_back(std::max(narrowest, presentation::display_width(csv_name(name))));
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (is_text_) {
         add_cell(i, csv_name(names[i]));
@@ -55,7 +56,7 @@ class TableWriter {
   static constexpr int digits = 4;
 
   void add_cell(std::size_t column, std::string const& cell) {
-    text_ += column + 1 == widths_.size() ? cell : padded(cell, widths_[column]) + "  ";
+    text_ += column + 1 == widths_.size() ? cell : presentation::padded(cell, widths_[column]) + "  ";
   }
 
   bool is_text_;

@@ -16,7 +16,7 @@ namespace axisc::says {
 constexpr Sentence image{"coefficient image {file}", "Koeffizientenabbild {file}"};
 constexpr Sentence format{"format", "Format"};
 constexpr Sentence size{"size", "Größe"};
-constexpr Sentence compiler{"compiled by", "übersetzt mit"};
+constexpr Sentence compiler{"compiled by", "kompiliert mit"};
 constexpr Sentence image_version{"image version", "Abbildversion"};
 constexpr Sentence signature{"signature", "Signatur"};
 constexpr Sentence not_signed{"none", "keine"};
@@ -28,7 +28,7 @@ constexpr Sentence memory_value{"{bytes}, aligned to {alignment}", "{bytes}, aus
 constexpr Sentence digest{"all sources", "alle Quellen"};
 constexpr Sentence sha{"SHA-256 {digest}", "SHA-256 {digest}"};
 constexpr Sentence lists{"lists", "Listen"};
-constexpr Sentence stripped{"none (compiled with --strip)", "keine (mit --strip übersetzt)"};
+constexpr Sentence stripped{"none (compiled with --strip)", "keine (mit --strip kompiliert)"};
 constexpr Sentence axis_title{"axis {axis}", "Achse {axis}"};
 constexpr Sentence velocity{"velocity limit", "Höchstgeschwindigkeit"};
 constexpr Sentence acceleration{"acceleration limit", "Höchstbeschleunigung"};

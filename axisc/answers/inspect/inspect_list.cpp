@@ -1,17 +1,18 @@
 #include "axisc/answers/inspect/inspect_answer.hpp"
-#include "axisc/answers/text_table.hpp"
 #include "axisc/files/image_file.hpp"
 #include "diagnostics/message.hpp"
 #include "diagnostics/terminal.hpp"
+#include "presentation/text_table.hpp"
 
 #include <algorithm>
 
 namespace axisc::says {
 
 constexpr Sentence heading{"axis {axis} as compiled into {file}; after each value: where it came from",
-                           "Achse {axis}, wie in {file} übersetzt; nach jedem Wert: seine Herkunft"};
-constexpr Sentence without_lists{"{file} was compiled with --strip: it does not contain its lists",
-                                 "{file} wurde mit --strip übersetzt: das Abbild enthält seine Listen nicht"};
+                           "Achse {axis}, wie in {file} kompiliert; nach jedem Wert: seine Herkunft"};
+constexpr Sentence without_lists{
+    "{file} was compiled with --strip: it does not contain its lists",
+    "{file} wurde mit --strip kompiliert: das Abbild enthält seine Listen nicht"};
 
 }  // namespace axisc::says
 
@@ -22,7 +23,7 @@ namespace {
 constexpr std::size_t widest_column = 60;
 
 void pad(std::string& line, std::size_t column) {
-  auto const now = display_width(line);
+  auto const now = presentation::display_width(line);
   line.append(now < column ? column - now : 1, ' ');
 }
 
@@ -39,8 +40,8 @@ std::string inspect_as_list(InspectQuestion const& question, image::ImageContent
     std::size_t names = 0;
     std::size_t values = 0;
     for (auto const& value : axis.values) {
-      names = std::max(names, std::min(display_width(printable(value.name)), widest_column));
-      values = std::max(values, std::min(display_width(printable(value.value)), widest_column));
+      names = std::max(names, std::min(presentation::display_width(printable(value.name)), widest_column));
+      values = std::max(values, std::min(presentation::display_width(printable(value.value)), widest_column));
     }
     if (!text.empty()) text += "\n";
     text += "# " +

@@ -3,6 +3,7 @@
 
 #include "analysis/motion/closed_loop.hpp"
 #include "analysis/motion/simulation.hpp"
+#include "axisc/environment/text_sink.hpp"
 #include "design/units.hpp"
 
 #include <cstdint>
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace axisc {
-
-/// Receives text piece by piece.
-using TextSink = std::function<void(std::string_view)>;
 
 struct SimulatedPath {
   std::string group;

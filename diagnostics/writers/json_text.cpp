@@ -1,7 +1,6 @@
-#include "axisc/answers/json_text.hpp"
+#include "diagnostics/writers/json_text.hpp"
 
 #include "diagnostics/writers/json_stream.hpp"
-#include "presentation/quantity.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,10 +13,6 @@ std::string json_string(std::string_view text) {
 
 std::string json_document(nlohmann::ordered_json const& json) {
   return escape_invisible(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
-}
-
-std::string json_number(double value) {
-  return presentation::json_number(value);
 }
 
 }  // namespace axisc

@@ -14,7 +14,4 @@ namespace axisc {
 /// A whole document, indented by two, with a line end.
 [[nodiscard]] std::string json_document(nlohmann::ordered_json const& json);
 
-/// Reads back as the same double; `null` for NaN and infinities, which JSON lacks.
-[[nodiscard]] std::string json_number(double value);
-
 }  // namespace axisc

@@ -1,15 +1,10 @@
-#include "axisc/answers/text_table.hpp"
+#include "presentation/text_table.hpp"
 
 #include "diagnostics/terminal.hpp"
-#include "presentation/text_layout.hpp"
 
 #include <algorithm>
 
-namespace axisc {
-
-std::size_t display_width(std::string_view text) {
-  return presentation::display_width(text);
-}
+namespace axisc::presentation {
 
 std::string padded(std::string_view text, std::size_t width) {
   std::string result(text);
@@ -36,4 +31,4 @@ std::string text_table(std::span<std::vector<std::string> const> rows, std::size
   return text;
 }
 
-}  // namespace axisc
+}  // namespace axisc::presentation
