@@ -1,7 +1,6 @@
 // Hovers over names, values, numbers and commands.
+#include "folders.hpp"
 #include "support/catch.hpp"
-#include "support/conversation.hpp"
-#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 
@@ -20,27 +19,6 @@ bool contains(std::string const& text, std::string const& piece) {
   INFO(text);
   CHECK(text.find(piece) != std::string::npos);
   return text.find(piece) != std::string::npos;
-}
-
-TemporaryFolder const& machine_folder() {
-  static TemporaryFolder const folder;
-  folder.write("machine.json", R"({"default_list": "all.lis", "axes": [{"name": "X", "list": "x.lis"}]})");
-  folder.write("all.lis", "# all\nfilter[0].fg_f0  42\nfilter[0].type BANDSTOP\n");
-  folder.write("x.lis", "filter[0].order 2\nfilter[0].fg_f0  17\nfilter[0].fg_f0  18\n");
-  return folder;
-}
-
-TemporaryFolder const& filter_folder() {
-  static TemporaryFolder const folder;
-  folder.write("machine.json",
-               R"({"cycle_time_us": 1000, "default_list": "all.lis",
-                   "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}]})");
-  folder.write("all.lis", "getriebe[0].dynamik.vb_max 500000\nfilter[0].fg_f0  42\n");
-  folder.write("x.lis",
-               "kopf.achs_nr 1\nfilter[0].enable 1\nfilter[0].order 2\nfilter[0].prototype "
-               "BUTTERWORTH\nfilter[0].type LOWPASS\nfilter[0].fg_f0 17\n");
-  folder.write("y.lis", "kopf.achs_nr 2\n");
-  return folder;
 }
 
 }  // namespace
@@ -73,7 +51,7 @@ TEST_CASE("hovering over a value shows its quantity and its meaning") {
 }
 
 TEST_CASE("hovering over a name says which value is in effect and which list it comes from") {
-  auto const list = machine_folder() / "x.lis";
+  auto const list = folder_of_one_axis() / "x.lis";
   auto const text = text_of(list);
   contains(hover_text(list, text, 1, 3), "In effect: 18 Hz, from x.lis, line 3.");
   CHECK(hover_text(list, text, 2, 3).find("In effect") == std::string::npos);
@@ -89,7 +67,7 @@ TEST_CASE("clients without Markdown get plain text") {
 }
 
 TEST_CASE("pointing at a filter's parameter shows what the filter does") {
-  auto const& folder = filter_folder();
+  auto const& folder = folder_of_two_axes();
   auto const path = folder / "x.lis";
   auto const shown = [&](Json const& capabilities, int character) {
     return Conversation("utf-32", capabilities)

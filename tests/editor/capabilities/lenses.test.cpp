@@ -1,34 +1,11 @@
 // The line above a cascade, and pages.
+#include "folders.hpp"
 #include "support/catch.hpp"
-#include "support/conversation.hpp"
-#include "support/temporary_folder.hpp"
 
 using namespace axisc::test;
 
-namespace {
-
-Json asked(std::string const& method, std::string const& path, std::string const& text,
-           Json const& params = Json::object()) {
-  return Conversation().open(path, text).ask(method, path, params).results()[0];
-}
-
-TemporaryFolder const& machine_folder() {
-  static TemporaryFolder const folder;
-  folder.write("machine.json",
-               R"({"cycle_time_us": 1000, "default_list": "all.lis",
-                   "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}]})");
-  folder.write("all.lis", "getriebe[0].dynamik.vb_max 500000\nfilter[0].fg_f0  42\n");
-  folder.write("x.lis",
-               "kopf.achs_nr 1\nfilter[0].enable 1\nfilter[0].order 2\nfilter[0].prototype "
-               "BUTTERWORTH\nfilter[0].type LOWPASS\nfilter[0].fg_f0 17\n");
-  folder.write("y.lis", "kopf.achs_nr 2\n");
-  return folder;
-}
-
-}  // namespace
-
 TEST_CASE("a lens above a cascade says what it costs") {
-  auto const& folder = machine_folder();
+  auto const& folder = folder_of_two_axes();
   auto const path = folder / "x.lis";
   auto const text = folder.read("x.lis");
   auto const lenses = asked("textDocument/codeLens", path, text);
@@ -73,7 +50,7 @@ TEST_CASE("a lens says why there is no figure") {
 }
 
 TEST_CASE("commands give pages of what is in the editor") {
-  auto const& folder = machine_folder();
+  auto const& folder = folder_of_two_axes();
   auto const path = folder / "x.lis";
   auto const ask = [&](std::string const& text, std::vector<std::string> const& words) {
     Json arguments = {"file://" + path};

@@ -1,39 +1,12 @@
 // Definitions, references, links, and why names cannot be renamed.
+#include "folders.hpp"
 #include "support/catch.hpp"
-#include "support/conversation.hpp"
-#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 
 using namespace axisc::test;
 
 namespace {
-
-Json asked(std::string const& method, std::string const& path, std::string const& text,
-           Json const& params = Json::object()) {
-  return Conversation().open(path, text).ask(method, path, params).results()[0];
-}
-
-TemporaryFolder const& machine_folder() {
-  static TemporaryFolder const folder;
-  folder.write("machine.json", R"({"default_list": "all.lis", "axes": [{"name": "X", "list": "x.lis"}]})");
-  folder.write("all.lis", "# all\nfilter[0].fg_f0  42\nfilter[0].type BANDSTOP\n");
-  folder.write("x.lis", "filter[0].order 2\nfilter[0].fg_f0  17\nfilter[0].fg_f0  18\n");
-  return folder;
-}
-
-TemporaryFolder const& filter_folder() {
-  static TemporaryFolder const folder;
-  folder.write("machine.json",
-               R"({"cycle_time_us": 1000, "default_list": "all.lis",
-                   "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}]})");
-  folder.write("all.lis", "getriebe[0].dynamik.vb_max 500000\nfilter[0].fg_f0  42\n");
-  folder.write("x.lis",
-               "kopf.achs_nr 1\nfilter[0].enable 1\nfilter[0].order 2\nfilter[0].prototype "
-               "BUTTERWORTH\nfilter[0].type LOWPASS\nfilter[0].fg_f0 17\n");
-  folder.write("y.lis", "kopf.achs_nr 2\n");
-  return folder;
-}
 
 TemporaryFolder const& group_folder() {
   static TemporaryFolder const folder;
@@ -50,14 +23,14 @@ TemporaryFolder const& group_folder() {
 }  // namespace
 
 TEST_CASE("a name leads to the lines that set it in the order in which the control reads them") {
-  auto const list = machine_folder() / "x.lis";
+  auto const list = folder_of_one_axis() / "x.lis";
   auto const results = Conversation()
                            .open(list)
                            .ask_at("textDocument/definition", list, 1, 4)
                            .ask_at("textDocument/definition", list, 0, 30)
                            .results();
   REQUIRE(results[0].size() == 3);
-  CHECK(results[0][0]["uri"] == "file://" + (machine_folder() / "all.lis"));
+  CHECK(results[0][0]["uri"] == "file://" + (folder_of_one_axis() / "all.lis"));
   CHECK(results[0][0]["range"]["start"]["line"] == 1);
   CHECK(results[0][1]["range"]["start"]["line"] == 1);
   CHECK(results[0][2]["range"]["start"]["line"] == 2);
@@ -66,7 +39,7 @@ TEST_CASE("a name leads to the lines that set it in the order in which the contr
 }
 
 TEST_CASE("the names of files lead to the files") {
-  auto const machine = machine_folder() / "machine.json";
+  auto const machine = folder_of_one_axis() / "machine.json";
   auto const start_up = source_path("samples/controller/listen/hochlauf.lis");
   auto const results = Conversation()
                            .open(machine)
@@ -77,15 +50,15 @@ TEST_CASE("the names of files lead to the files") {
                            .ask("textDocument/documentLink", source_path("samples/mill/x.lis"))
                            .results();
   REQUIRE(results[0].size() == 2);
-  CHECK(results[0][0]["target"] == "file://" + (machine_folder() / "all.lis"));
+  CHECK(results[0][0]["target"] == "file://" + (folder_of_one_axis() / "all.lis"));
   CHECK(results[1].size() >= 15);
   CHECK(results[1][0]["target"].get<std::string>().ends_with(".lis"));
-  CHECK(results[2]["uri"] == "file://" + (machine_folder() / "all.lis"));
+  CHECK(results[2]["uri"] == "file://" + (folder_of_one_axis() / "all.lis"));
   CHECK(results[3].contains("error"));
 }
 
 TEST_CASE("references of a default list are all lists of the machine that set the parameter") {
-  auto const& folder = filter_folder();
+  auto const& folder = folder_of_two_axes();
   auto const found = Conversation()
                          .open(folder / "all.lis", folder.read("all.lis"))
                          .ask_at("textDocument/references", folder / "all.lis", 1, 3)
