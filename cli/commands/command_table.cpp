@@ -9,7 +9,7 @@
 namespace axisc::cli::says {
 
 constexpr Sentence program_meaning{"check, compile and execute axis parameter lists",
-                                   "Achsparameterlisten prüfen, übersetzen und ausführen"};
+                                   "Achsparameterlisten prüfen, kompilieren und ausführen"};
 constexpr Sentence lint_meaning{"check lists and machine files", "Listen und Maschinendateien prüfen"};
 constexpr Sentence fmt_meaning{"align the values and comments of lists",
                                "Werte und Kommentare von Listen ausrichten"};

@@ -22,7 +22,7 @@ constexpr Sentence signature{
     "{file} was changed after it was signed with key {key} ({status}); copy it again, or compile and sign it "
     "again",
     "{file} wurde verändert, nachdem es mit Schlüssel {key} signiert war ({status}); neu kopieren oder neu "
-    "übersetzen und signieren"};
+    "kompilieren und signieren"};
 
 constexpr Sentence option_public_key{
     "check the signature with this public key; exit status 2 if it is not valid",

@@ -78,7 +78,7 @@ constexpr Sentence kind_of_image{"--kind {kind} needs the machine: {file} is an 
 constexpr Sentence order_of_image{
     "--order needs the machine: {file} is an image, compiled for its own orders only",
     "--order braucht die Maschine: {file} ist ein Abbild, nur für seine eigenen "
-    "Ordnungen übersetzt"};
+    "Ordnungen kompiliert"};
 
 }  // namespace axisc::cli::says
 

@@ -325,9 +325,9 @@ TEST_CASE("the text of an editor is judged in the machine of its file") {
 
 TEST_CASE("a named list is judged in the machine that reads it") {
   TemporaryFolder const folder;
-  folder.write(
-      "machine.json",
-      R"({"cycle_time_us": 2000, "axes": [{"name": "X", "list": "lists/x.lis"}, {"name": "Y", "list": "lists/y.lis"}]})");
+  folder.write("machine.json",
+               R"({"cycle_time_us": 2000,
+          "axes": [{"name": "X", "list": "lists/x.lis"}, {"name": "Y", "list": "lists/y.lis"}]})");
   // Above half of the sampling frequency with 2 ms alone.
   folder.write(
       "lists/x.lis",

@@ -10,7 +10,7 @@ constexpr Sentence headline{"the filter type `{type}` is not documented",
 constexpr Sentence undocumented_type_interface{
     "`{type}` is for `filter[0]` only, not for the additional interface",
     "`{type}` gibt es nur in `filter[0]`, nicht in der Zusatzschnittstelle"};
-constexpr Sentence label{"cannot be compiled", "lässt sich nicht übersetzen"};
+constexpr Sentence label{"cannot be compiled", "lässt sich nicht kompilieren"};
 constexpr Sentence limit{
     "{p_axis}: some builds know the types 7, 9 and 13; what they compute is not documented",
     "{p_axis}: manche Stände kennen die Typen 7, 9 und 13; was sie rechnen, ist nicht dokumentiert"};
