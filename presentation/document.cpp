@@ -35,6 +35,7 @@ Column data_column(std::string key, std::string member) {
 
 std::vector<Column> data_columns(std::vector<std::string> keys) {
   std::vector<Column> columns;
+  columns.reserve(keys.size());
   for (auto& key : keys) columns.push_back(data_column(std::move(key)));
   return columns;
 }

@@ -27,8 +27,9 @@ using Said = std::array<std::string_view, keys.size()>;
 
 Said said_by(std::vector<Departure> const& departures) {
   Said said{};
-  for (auto const& departure : departures)
+  for (auto const& departure : departures) {
     said.at(static_cast<std::size_t>(key_of(departure.id))) = departure.id;
+  }
   return said;
 }
 

@@ -37,8 +37,9 @@ bool is_json(std::string const& path) {
 
 bool is_machine(configuration::Files& files, std::string const& path) {
   if (configuration::is_project_name(path)) return true;
-  if (!is_json(path) && !ascii::has_extension(path, ".lis") && !configuration::is_xml_name(path))
+  if (!is_json(path) && !ascii::has_extension(path, ".lis") && !configuration::is_xml_name(path)) {
     return false;
+  }
   // The key is at the beginning; large files of measurements are not read to their end.
   constexpr std::size_t most_bytes = std::size_t{4} << 20U;
   bool found = false;
@@ -103,8 +104,9 @@ Belonging MachineSearch::machine_of(Buffers& files, std::string const& path,
   auto folder = from ? folder_above(*from) : std::optional(folder_of(wanted));
   for (int i = 0; i < most_folders && folder; ++i) {
     for (auto const& machine : machines_in(files, *folder)) {
-      if (auto name = machine.name_of(files, wanted))
+      if (auto name = machine.name_of(files, wanted)) {
         return {.machine = machine.path, .name = *std::move(name)};
+      }
     }
     folder = folder_above(*folder);
   }

@@ -175,8 +175,9 @@ bool is_contour(Kind kind) {
 }
 
 void require_parts(PlotOptions const& options) {
-  if (options.kind == Kind::path && !options.program)
+  if (options.kind == Kind::path && !options.program) {
     throw Failure({.sentence = says::path_needs, .arguments = {}});
+  }
   if (options.kind == Kind::compare && !options.recording) {
     throw Failure({.sentence = says::compare_needs, .arguments = {}});
   }

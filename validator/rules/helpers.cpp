@@ -14,8 +14,9 @@ void name_parameter(Finding& finding, Line const& line) {
   LineValue const line_value = line.context.list.line_values[line.number];
   if (line_value.known()) return name_parameter(finding, *line_value.row, line_value.slot);
   finding.parameter = line.name();
-  if (line_value.row_known())
+  if (line_value.row_known()) {
     finding.p_axis = schema::number_text(line_value.row->kind, line_value.row->p_axis);
+  }
 }
 
 void set_reaction(Finding& finding, SentenceRef text, std::vector<Argument> arguments, std::string value) {

@@ -187,8 +187,9 @@ class ListReader {
                               .text = BriefReading::no_text});
     if (!line_value.row_known()) suggest(number, assignment);
     if (line_value.known()) note_slot(line_value.slot, number + 1);
-    if (line_value.known() && line_value.status != ReadingStatus::value)
+    if (line_value.known() && line_value.status != ReadingStatus::value) {
       result_.without_value_.push_back(number);
+    }
     if (is_doubtful(assignment, line_value)) result_.doubtful_.push_back(number);
   }
 

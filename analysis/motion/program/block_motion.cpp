@@ -73,14 +73,16 @@ void BlockMotion::take_arc_word(Token const& token, char letter, double value) {
 
 void BlockMotion::take_feed(Token const& token, double value) {
   if (!(value > 0)) return state_.problems.refuse(block_, token, says::cannot_simulate_feed_range);
-  if (std::exchange(feed_named_, true))
+  if (std::exchange(feed_named_, true)) {
     return state_.problems.refuse(block_, token, says::cannot_simulate_twice);
+  }
   state_.modal.feed = value * state_.modal.length_unit();
 }
 
 void BlockMotion::take_speed(Token const& token, double value) {
-  if (std::exchange(speed_named_, true))
+  if (std::exchange(speed_named_, true)) {
     return state_.problems.refuse(block_, token, says::cannot_simulate_twice);
+  }
   state_.modal.speed = value;
   note_speed(block_, token, state_.problems);
 }

@@ -192,8 +192,9 @@ std::vector<DiffSection> DiffWords::axes() const {
     }
   }
   for (std::size_t i = first; i < sections.size(); ++i) {
-    if (sections[i].axes.size() > 1)
+    if (sections[i].axes.size() > 1) {
       sections[i].title = say(says::axes, {{"axes", joined(sections[i].axes)}});
+    }
   }
   return sections;
 }

@@ -22,8 +22,9 @@ class TableWriter {
       : is_text_(table.is_text), write_(write) {}
 
   void header(std::vector<std::string> const& names) {
-    for (auto const& name : names)
+    for (auto const& name : names) {
       widths_.push_back(std::max(narrowest, presentation::display_width(csv_name(name))));
+    }
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (is_text_) {
         add_cell(i, csv_name(names[i]));
@@ -37,8 +38,9 @@ class TableWriter {
 
   void row(std::vector<double> const& values) {
     if (is_text_) {
-      for (std::size_t i = 0; i < values.size(); ++i)
+      for (std::size_t i = 0; i < values.size(); ++i) {
         add_cell(i, format_rounded(values[i], digits).written());
+      }
       text_ += '\n';
     } else {
       append_csv_row(text_, values);

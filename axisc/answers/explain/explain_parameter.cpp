@@ -58,7 +58,7 @@ Value limit_value(schema::ListKind kind, schema::Limit const& limit) {
 Block limit_object(std::string key, schema::ListKind kind, schema::Limit const& limit) {
   auto value = limit_value(kind, limit);
   if (value.is_nothing()) return Facts{{data(std::move(key), std::move(value))}};
-  auto const name = value.is_number() ? "number" : "p_axis";
+  auto const* const name = value.is_number() ? "number" : "p_axis";
   return data_section(std::move(key), {data(name, std::move(value)), data("open", limit.open)});
 }
 

@@ -97,8 +97,9 @@ pictures::Table deviation_table(ContourSubject const& subject, std::vector<Conto
     std::vector<std::string> row{curves[i].name, plane_name(subject, curves[i])};
     if (subject.before != nullptr) row.push_back(micrometres(deviations[i - 1]).in(subject.language));
     row.push_back(micrometres(deviations[i]).in(subject.language));
-    if (subject.before != nullptr)
+    if (subject.before != nullptr) {
       row.push_back(micrometres(deviations[i] - deviations[i - 1]).in(subject.language));
+    }
     table.rows.push_back(std::move(row));
   }
   return table;

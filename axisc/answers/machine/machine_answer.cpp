@@ -33,8 +33,6 @@ constexpr Sentence other_kind{"the list \"{file}\" is of another kind",
 namespace axisc {
 
 using namespace presentation;
-using validator::LoadedAxis;
-using validator::LoadedGroup;
 using validator::LoadedMachine;
 
 namespace {

@@ -1,4 +1,5 @@
-// What a client shows of a machine while it is edited: its report, pictures, and the line above a cascade of filters.
+// What a client shows of a machine while it is edited: its report, pictures, and the line above a cascade of
+// filters.
 #pragma once
 
 #include "analysis/motion/chain_answer.hpp"
@@ -15,8 +16,8 @@
 
 namespace axisc {
 
-/// A machine that is checked and compiled once for what is asked of it. Failure for an input that cannot be read and for
-/// an unknown NC cycle time; after errors in its lists there is the report alone.
+/// A machine that is checked and compiled once for what is asked of it. Failure for an input that cannot be
+/// read and for an unknown NC cycle time; after errors in its lists there is the report alone.
 class MachinePages {
  public:
   /// `files` outlives this object.
@@ -25,11 +26,11 @@ class MachinePages {
 
   /// A whole document.
   [[nodiscard]] std::string report();
-  /// `response`, `step`, `delay`, `corner` or `circle`; of the axis where one is named. Failure for another word, and after
-  /// errors.
+  /// `response`, `step`, `delay`, `corner` or `circle`; of the axis where one is named. Failure for another
+  /// word, and after errors.
   [[nodiscard]] pictures::Figure figure(std::string const& kind, std::optional<std::string> const& axis);
-  /// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" for the axis, or for each axis if none is named; or the reason
-  /// why there are no figures.
+  /// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" for the axis, or for each axis if none is named; or
+  /// the reason why there are no figures.
   [[nodiscard]] std::string cascade(std::optional<std::string> const& axis);
 
  private:

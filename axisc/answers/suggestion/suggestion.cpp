@@ -81,6 +81,7 @@ bool does_the_same(tuning::ImpulseResponse const& one, tuning::ImpulseResponse c
 std::array<std::size_t, tuning::senses> proposed(std::array<tuning::Candidate, tuning::senses> const& chosen,
                                                  design::CycleTime cycle_time) {
   std::vector<Chain> chains;
+  chains.reserve(chosen.size());
   for (auto const& candidate : chosen) chains.push_back(candidate.chain);
   auto const responses = tuning::impulse_responses(chains, cycle_time);
   std::array<std::size_t, tuning::senses> first{};

@@ -123,8 +123,9 @@ void out_of_range(AxisContext const& context, Report& report) {
     LineValue const& line_value = line.line_value();
     if (!line_value.known() || line_value.status != ReadingStatus::value) return;
     double const value = line_value.value.number;
-    if (!is_wrong(*line_value.row, value) || is_number_of_default_list(line.list(), *line_value.row, value))
+    if (!is_wrong(*line_value.row, value) || is_number_of_default_list(line.list(), *line_value.row, value)) {
       return;
+    }
     report.later(line.place(), [line](Finding& finding) {
       describe(finding, line.context, line.line_value().slot, line.line_value().value.number);
     });

@@ -34,8 +34,9 @@ void string_too_long(ListContext const& context, Report& report) {
     LineValue const& line_value = line.line_value();
     if (!line_value.row_known() || line_value.status != ReadingStatus::value) return;
     std::size_t const most = line_value.row->max_length;
-    if (most == 0 || line_value.value.text.size() <= most || characters(line_value.value.text) <= most)
+    if (most == 0 || line_value.value.text.size() <= most || characters(line_value.value.text) <= most) {
       return;
+    }
     report_line<describe>(report, line, line_value.text);
   });
 }
