@@ -1,6 +1,5 @@
 #include "editor/session.hpp"
 
-#include "axisc/checking/check_input.hpp"
 #include "axisc/checking/checking_options.hpp"
 #include "axisc/environment/failure.hpp"
 
@@ -61,16 +60,14 @@ std::vector<std::string> Session::publish() {
 }
 
 validator::CheckOptions Session::options_of(std::string const& path) {
-  settings_.emplace();
-  CheckJob job;
-  job.options = asked_;
-  job.options.machine = false;
-  job.settings = &*settings_;
+  auto options = asked_;
+  options.machine = false;
+  workspace_.emplace(disk_, Overrides{.options = options});
   try {
-    return options_for(job, path);
+    return workspace_->options_of(path);
   } catch (Failure const& mistake) {
     failure_ = mistake.sentence(language_);
-    return job.options;
+    return options;
   }
 }
 

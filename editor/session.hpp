@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/files/disk_files.hpp"
-#include "axisc/settings/settings.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "editor/server.hpp"
 
 #include <memory>
@@ -40,8 +40,8 @@ class Session {
   Language own_language_;
   Language language_;
   DiskFiles disk_;
-  std::optional<SettingsFinder> settings_;  ///< referenced by the options of a check
-  std::string failure_;                     ///< mistake in the settings
+  std::optional<Workspace> workspace_;  ///< whose settings the options of a check refer to
+  std::string failure_;                 ///< mistake in the settings
   std::set<std::string> told_;
   std::vector<std::string> mistakes_;  ///< in the settings of the client
   OptionsOf options_;

@@ -26,10 +26,10 @@ Json Server::open(Json const& params) {
   auto const& item = params.at("textDocument");
   auto const uri = item.at("uri").get<std::string>();
   // Read completely before anything changes.
-  Document document{.uri = uri,
-                    .path = validator::key_of(path_of(uri)),
-                    .text = item.at("text").get<std::string>(),
-                    .version = version_of(item)};
+  OpenDocument document{.uri = uri,
+                        .path = validator::key_of(path_of(uri)),
+                        .text = item.at("text").get<std::string>(),
+                        .version = version_of(item)};
   closed_.erase(uri);
   changed_.merge(machines_.open(std::move(document)));
   return nullptr;
@@ -77,7 +77,7 @@ std::vector<std::string> Server::publish() {
   };
   for (auto const& uri : std::exchange(closed_, {})) add(uri, "[]", std::nullopt);
   if (changed_.empty()) return messages;
-  std::map<std::string, std::vector<Document const*>> documents_of;
+  std::map<std::string, std::vector<OpenDocument const*>> documents_of;
   auto const changed = std::exchange(changed_, {});
   for (auto const& uri : changed) documents_of.try_emplace(machines_.machine_of(machines_.document(uri)));
   for (auto const& [uri, document] : machines_.documents()) {

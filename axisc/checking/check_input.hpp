@@ -2,26 +2,12 @@
 #pragma once
 
 #include "axisc/checking/checked_input.hpp"
-#include "axisc/checking/edited_files.hpp"
-#include "axisc/settings/settings.hpp"
-#include "axisc/workspace/inputs.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "validator/check.hpp"
 
 #include <string>
 
 namespace axisc {
-
-struct CheckJob {
-  validator::CheckOptions options;  ///< of the command line
-  bool quiet = false;               ///< without notes
-  EditedBytes edited;               ///< read instead of the files
-  SettingsFinder* settings = nullptr;
-  std::unordered_map<std::string, std::vector<std::string>> shown = {};  ///< see Inputs::shown
-  std::unordered_map<std::string, FoundInput> found;                     ///< see Inputs::found
-};
-
-/// The job's options with the settings that apply to `path`.
-[[nodiscard]] validator::CheckOptions options_for(CheckJob const& job, std::string const& path);
 
 struct JudgedInput {
   FindingCounts counts;           ///< of the wanted findings
@@ -32,12 +18,11 @@ struct JudgedInput {
 
 /// Every wanted finding is passed to `take` as soon as it is known. `checked` receives the sources, the files
 /// and the failure.
-[[nodiscard]] JudgedInput judge_input(CheckJob const& job, std::string const& path,
-                                      configuration::Files& files, CheckedInput& checked,
+[[nodiscard]] JudgedInput judge_input(Workspace& workspace, std::string const& path, CheckedInput& checked,
                                       TakeFinding const& take);
 /// For callers that need only the findings: they are passed to `take`, or, where it is null, part of the
 /// result.
-[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path,
-                                       configuration::Files& files, TakeFinding const* take);
+[[nodiscard]] CheckedInput check_input(Workspace& workspace, std::string const& path,
+                                       TakeFinding const* take);
 
 }  // namespace axisc

@@ -83,6 +83,13 @@ std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> con
                                {"meant", possible ? *word + "ms" : "1ms"}}});
 }
 
+Overrides overrides_with(std::optional<std::string> const& cycle_time,
+                         std::vector<std::string> schema_files) {
+  Overrides overrides{.schema_files = std::move(schema_files)};
+  overrides.options.cycle_time = asked_cycle_time(cycle_time);
+  return overrides;
+}
+
 validator::CheckOptions check_options(CheckingOptions const& given) {
   validator::CheckOptions options;
   options.pedantic = given.pedantic;

@@ -1,6 +1,7 @@
 // The options of a check, as text: options of the command line, settings of an editor.
 #pragma once
 
+#include "axisc/workspace/workspace.hpp"
 #include "diagnostics/writers/report_writer.hpp"
 #include "validator/check.hpp"
 
@@ -28,6 +29,10 @@ struct CheckingOptions {
 
 /// `--cycle-time`. Failure for an invalid value.
 [[nodiscard]] std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word);
+
+/// Of a command that asks for nothing else about its inputs. Failure for an invalid value.
+[[nodiscard]] Overrides overrides_with(std::optional<std::string> const& cycle_time,
+                                       std::vector<std::string> schema_files = {});
 
 /// Failure for an invalid value.
 [[nodiscard]] validator::CheckOptions check_options(CheckingOptions const& given);

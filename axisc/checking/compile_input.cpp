@@ -41,11 +41,10 @@ CompiledImage image_of(machine::Machine const& machine, CompileJob const& job, s
   return image;
 }
 
-void compile(CompileJob const& job, std::string const& path, configuration::Files& files,
-             CompiledInput& compiled) {
+void compile(CompileJob const& job, std::string const& path, CompiledInput& compiled) {
   CheckedInput checked;
   auto const judged = judge_input(
-      job.check, path, files, checked,
+      job.workspace, path, checked,
       [&checked](Finding&& finding, SourceSet const&) { checked.findings.push_back(std::move(finding)); });
   if (checked.failure) throw Failure(*checked.failure);
   compiled.skipped = judged.result.is_other_list && job.skips_other_lists;
@@ -58,10 +57,10 @@ void compile(CompileJob const& job, std::string const& path, configuration::File
 
 }  // namespace
 
-CompiledInput compile_input(CompileJob const& job, std::string const& path, configuration::Files& files) {
+CompiledInput compile_input(CompileJob const& job, std::string const& path) {
   CompiledInput compiled;
   try {
-    compile(job, path, files, compiled);
+    compile(job, path, compiled);
   } catch (Failure const& failure) {
     compiled.checked.failure = failure;
   }

@@ -12,7 +12,7 @@
 namespace axisc {
 
 struct CompileJob {
-  CheckJob check;
+  Workspace& workspace;
   CheckingOptions const& checking;
   codegen::ImageOptions image;
   Language language = Language::english;
@@ -33,7 +33,6 @@ struct CompiledInput {
 };
 
 /// May be called by several threads.
-[[nodiscard]] CompiledInput compile_input(CompileJob const& job, std::string const& path,
-                                          configuration::Files& files);
+[[nodiscard]] CompiledInput compile_input(CompileJob const& job, std::string const& path);
 
 }  // namespace axisc

@@ -1,6 +1,5 @@
 #include "axisc/checking/compiled_input.hpp"
 
-#include "axisc/files/disk_files.hpp"
 #include "system/file.hpp"
 
 #include <variant>
@@ -10,9 +9,8 @@ namespace axisc {
 namespace {
 
 /// Text is left to the check, which reports what is wrong with it.
-bool may_be_image(std::string const& input) {
+bool may_be_image(configuration::Files& files, std::string const& input) {
   if (input == "-" || system::kind_of(input) == system::FileKind::folder) return false;
-  DiskFiles files;
   bool is_image = false;
   auto const failed = files.read_pieces(input, [&](std::string_view beginning) {
     auto const checked = configuration::check_text(beginning);
@@ -25,10 +23,11 @@ bool may_be_image(std::string const& input) {
 
 }  // namespace
 
-std::optional<InputImage> compiled_input(MachineRequest const& request, ErrorSink const& errors) {
+std::optional<InputImage> compiled_input(Workspace& workspace, MachineRequest const& request,
+                                         ErrorSink const& errors) {
   auto const& input = request.input;
-  if (may_be_image(input)) return InputImage{.image = load_image(input), .machine = {}};
-  auto checked = checked_machine(request, errors);
+  if (may_be_image(workspace.files(), input)) return InputImage{.image = load_image(input), .machine = {}};
+  auto checked = checked_machine(workspace, request, errors);
   if (!checked) return std::nullopt;
   auto image = image_of(checked->machine, input);
   return InputImage{.image = std::move(image), .machine = std::move(checked)};

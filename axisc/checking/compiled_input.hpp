@@ -20,7 +20,7 @@ struct InputImage {
 
 /// The image of a list, a machine file, a start-up list, a project, the only machine in a folder, or an image
 /// file. None after errors in lists. Failure where the input cannot be read or compiled.
-[[nodiscard]] std::optional<InputImage> compiled_input(MachineRequest const& request,
+[[nodiscard]] std::optional<InputImage> compiled_input(Workspace& workspace, MachineRequest const& request,
                                                        ErrorSink const& errors);
 
 }  // namespace axisc

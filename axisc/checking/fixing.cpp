@@ -39,15 +39,15 @@ bool is_better(Counts const& after, Counts const& before) {
 
 class Fixer {
  public:
-  Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline, IdentityPaths& identity_paths,
+  Fixer(Workspace& workspace, FixChoice choice, Baseline const& baseline, IdentityPaths& identity_paths,
         ChangeableFiles const& changeable)
-      : job_(job),
+      : workspace_(workspace),
         choice_(choice),
         baseline_(baseline),
         identity_paths_(identity_paths),
         changeable_(changeable) {
-    result_.edited = job.edited;
-    result_.original = job.edited;
+    result_.edited = workspace.unsaved();
+    result_.original = workspace.unsaved();
   }
 
   void fix(std::string const& path) {
@@ -65,8 +65,7 @@ class Fixer {
   /// Standard input can be read only once.
   void keep(std::string const& path) {
     if (result_.edited.contains(path)) return;
-    DiskFiles files(path == "-");
-    auto bytes = files.read(path);
+    auto bytes = workspace_.disk().read(path);
     if (auto* const text = std::get_if<std::string>(&bytes)) {
       result_.original.emplace(path, *text);
       result_.edited.emplace(path, std::move(*text));
@@ -74,14 +73,14 @@ class Fixer {
   }
 
   [[nodiscard]] validator::CheckOptions options_of(std::string const& path) const {
-    auto options = options_for(job_, path);
+    auto options = workspace_.options_of(path);
     options.whole_programs = whole_programs_;
     return options;
   }
 
   /// None where the input cannot be read with these edits.
   [[nodiscard]] std::optional<Counts> findings_of(std::string const& path, EditedBytes const& edited) const {
-    EditedFiles files(edited, path == "-");
+    EditedFiles files(edited, workspace_.disk());
     SourceSet sources;
     Counts counts;
     auto const found = validator::check(files, path, options_of(path), sources,
@@ -91,7 +90,8 @@ class Fixer {
 
   /// Bytes passed in by the caller may always be changed.
   [[nodiscard]] bool may_change(std::string const& path) {
-    auto const [known, is_new] = may_change_.try_emplace(path, path == "-" || job_.edited.contains(path));
+    auto const [known, is_new] =
+        may_change_.try_emplace(path, path == "-" || workspace_.unsaved().contains(path));
     if (is_new && !known->second) known->second = changeable_.contains(path);
     return known->second;
   }
@@ -122,7 +122,7 @@ class Fixer {
   /// next round.
   bool round(std::string const& path, std::size_t& left_out) {
     SourceSet sources;
-    EditedFiles files(result_.edited, path == "-");
+    EditedFiles files(result_.edited, workspace_.disk());
     auto const found = validator::check(files, path, options_of(path), sources);
     if (found.unreadable) return false;
     if (!whole_programs_ && repairs_excerpt(found, sources)) {
@@ -198,7 +198,7 @@ class Fixer {
     }
   }
 
-  CheckJob const& job_;
+  Workspace& workspace_;
   FixChoice choice_;
   Baseline const& baseline_;
   IdentityPaths& identity_paths_;
@@ -210,10 +210,10 @@ class Fixer {
 
 }  // namespace
 
-FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths, FixChoice choice,
+FixedInputs fix_inputs(Workspace& workspace, std::vector<std::string> const& paths, FixChoice choice,
                        Baseline const& baseline, IdentityPaths& identity_paths,
                        ChangeableFiles const& changeable) {
-  Fixer fixer(job, choice, baseline, identity_paths, changeable);
+  Fixer fixer(workspace, choice, baseline, identity_paths, changeable);
   for (auto const& path : paths) fixer.fix(path);
   return std::move(fixer).result();
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "axisc/checking/baseline.hpp"
-#include "axisc/checking/check_input.hpp"
 #include "axisc/checking/identity_paths.hpp"
 #include "axisc/workspace/changeable_files.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "diagnostics/writers/writers.hpp"
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct FixedInputs {
 /// files that are not in `changeable`, are not fixed.
 /// Applying fixes to the result changes nothing. One input after another, because they may share files. Cost:
 /// a check per round, and some more for each fix that is taken back, at most two hundred.
-[[nodiscard]] FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths,
+[[nodiscard]] FixedInputs fix_inputs(Workspace& workspace, std::vector<std::string> const& paths,
                                      FixChoice choice, Baseline const& baseline,
                                      IdentityPaths& identity_paths, ChangeableFiles const& changeable);
 

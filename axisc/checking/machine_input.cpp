@@ -9,18 +9,18 @@
 
 namespace axisc {
 
-std::optional<validator::CheckResult> check_machine(CheckJob const& job, std::string const& path,
-                                                    configuration::Files& files, ErrorSink const& errors) {
+std::optional<validator::CheckResult> check_machine(Workspace& workspace, std::string const& path,
+                                                    ErrorSink const& errors) {
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
-  return check_machine(job, path, files, errors, sources, loaded);
+  return check_machine(workspace, path, errors, sources, loaded);
 }
 
-std::optional<validator::CheckResult> check_machine(CheckJob const& job, std::string const& path,
-                                                    configuration::Files& files, ErrorSink const& errors,
-                                                    SourceSet& sources,
+std::optional<validator::CheckResult> check_machine(Workspace& workspace, std::string const& path,
+                                                    ErrorSink const& errors, SourceSet& sources,
                                                     std::optional<validator::LoadedMachine>& loaded) {
-  auto const options = options_for(job, path);
+  auto const options = workspace.options_of(path);
+  auto& files = workspace.files();
   auto read = validator::load(files, path, options, sources);
   if (auto const* const error = std::get_if<configuration::FileError>(&read)) throw unreadable(path, *error);
   loaded = std::get<validator::LoadedMachine>(std::move(read));

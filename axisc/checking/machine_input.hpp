@@ -19,14 +19,13 @@ struct ErrorSink {
 
 /// Checks with the settings that apply to the input. If findings prevent a machine, `errors` takes them and
 /// none is returned; everything else that `compile` refuses is a Failure, except an unknown cycle time. The
-/// machine of the result reads its NC programs from `files` again.
-[[nodiscard]] std::optional<validator::CheckResult> check_machine(CheckJob const& job,
+/// machine of the result reads its NC programs again.
+[[nodiscard]] std::optional<validator::CheckResult> check_machine(Workspace& workspace,
                                                                   std::string const& path,
-                                                                  configuration::Files& files,
                                                                   ErrorSink const& errors);
 /// Also keeps what was read: the machine in `loaded` refers to `sources`.
 [[nodiscard]] std::optional<validator::CheckResult> check_machine(
-    CheckJob const& job, std::string const& path, configuration::Files& files, ErrorSink const& errors,
-    SourceSet& sources, std::optional<validator::LoadedMachine>& loaded);
+    Workspace& workspace, std::string const& path, ErrorSink const& errors, SourceSet& sources,
+    std::optional<validator::LoadedMachine>& loaded);
 
 }  // namespace axisc

@@ -35,10 +35,10 @@ validator::CommandLimits command_limits(machine::Machine const& machine, machine
   return limits;
 }
 
-Belonging machine_of_input(MachineRequest const& request, CheckJob const& job, configuration::Files& files) {
+Belonging machine_of_input(Workspace& workspace, MachineRequest const& request) {
   auto const path = machine_input(request.input);
   if (request.alone || path == "-") return {.machine = path, .name = path};
-  return machine_of(files, path, [&job](std::string const& input) { return options_for(job, input); });
+  return workspace.machine_of(path);
 }
 
 std::size_t axis_named(machine::Machine const& machine, std::string const& name) {
@@ -61,21 +61,16 @@ std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded, 
   return found;
 }
 
-std::optional<CheckedMachine> checked_machine(MachineRequest const& request, ErrorSink const& errors) {
-  SettingsFinder settings;
-  CheckJob job;
-  job.options.cycle_time = request.cycle_time;
-  job.settings = &settings;
-  auto disk = std::make_unique<DiskFiles>(request.input == "-");
-  auto const [path, list] = machine_of_input(request, job, *disk);
+std::optional<CheckedMachine> checked_machine(Workspace& workspace, MachineRequest const& request,
+                                              ErrorSink const& errors) {
+  auto const [path, list] = machine_of_input(workspace, request);
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
-  auto result = check_machine(job, path, *disk, errors, sources, loaded);
+  auto result = check_machine(workspace, path, errors, sources, loaded);
   if (!result) return std::nullopt;
   require_cycle_time(path, *result);
-  add_settings_files(settings, path, result->files);
-  CheckedMachine checked{
-      .disk = std::move(disk), .machine = *std::move(result->machine), .files = std::move(result->files)};
+  add_settings_files(workspace.settings(), path, result->files);
+  CheckedMachine checked{.machine = *std::move(result->machine), .files = std::move(result->files)};
   if (path == list) return checked;
   auto const axis = axis_of_list(*loaded, sources, list);
   if (!axis) return checked;

@@ -4,13 +4,11 @@
 #include "analysis/motion/group_runtime.hpp"
 #include "analysis/motion/program/interpreter.hpp"
 #include "axisc/checking/machine_input.hpp"
-#include "axisc/files/disk_files.hpp"
 #include "axisc/files/image_file.hpp"
 #include "axisc/workspace/machine_search.hpp"
 #include "configuration/machine/machine.hpp"
 #include "validator/commands/command_check.hpp"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +16,6 @@
 namespace axisc {
 
 struct CheckedMachine {
-  std::unique_ptr<DiskFiles> disk;  ///< from which the machine reads its NC programs again
   machine::Machine machine;
   std::vector<std::string> files;  ///< that were read
   /// Where the input is a list of one axis of this machine: the axis, and its channel.
@@ -26,15 +23,13 @@ struct CheckedMachine {
 };
 
 struct MachineRequest {
-  std::string input;  ///< as the user names it
-  std::optional<design::CycleTime> cycle_time = {};
+  std::string input;   ///< as the user names it
   bool alone = false;  ///< a list by itself, not in its machine
 };
 
 /// The machine of an input: for a folder the only one in it, for a list the one that it belongs to. Failure
 /// for a folder with none, or with several.
-[[nodiscard]] Belonging machine_of_input(MachineRequest const& request, CheckJob const& job,
-                                         configuration::Files& files);
+[[nodiscard]] Belonging machine_of_input(Workspace& workspace, MachineRequest const& request);
 
 /// Failure for another name than those of the axes.
 [[nodiscard]] std::size_t axis_named(machine::Machine const& machine, std::string const& name);
@@ -46,7 +41,8 @@ struct MachineRequest {
 /// Checks a list, a machine file, a start-up list, or the only machine in a folder; a list is judged in its
 /// machine. After errors nothing is returned. Failure for an unreadable file and for an unknown NC cycle
 /// time.
-[[nodiscard]] std::optional<CheckedMachine> checked_machine(MachineRequest const& request,
+[[nodiscard]] std::optional<CheckedMachine> checked_machine(Workspace& workspace,
+                                                            MachineRequest const& request,
                                                             ErrorSink const& errors);
 
 /// The image of a machine, in memory.

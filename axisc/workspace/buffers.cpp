@@ -7,7 +7,7 @@
 
 namespace axisc {
 
-OpenPaths::OpenPaths(Documents const& documents) {
+OpenPaths::OpenPaths(OpenDocuments const& documents) {
   for (auto const& [uri, document] : documents) {
     by_path[document.path] = &document;
     std::string const name(validator::file_name(document.path));
@@ -16,7 +16,7 @@ OpenPaths::OpenPaths(Documents const& documents) {
   }
 }
 
-Document const* Buffers::document(std::string const& path) const {
+OpenDocument const* Buffers::document(std::string const& path) const {
   asked_.add(path);
   auto const found = open_->by_path.find(validator::key_of(path));
   if (found != open_->by_path.end()) return found->second;

@@ -16,38 +16,38 @@
 
 namespace axisc {
 
-struct Document {
+struct OpenDocument {
   std::string uri;   ///< as the client writes it
   std::string path;  ///< normalised
   std::string text;  ///< UTF-8
   std::optional<std::int64_t> version = {};
 };
 
-using Documents = std::map<std::string, Document>;  ///< by URI
+using OpenDocuments = std::map<std::string, OpenDocument>;  ///< by URI
 
 /// The open documents by their paths: made where one is opened or closed, not for each question.
 struct OpenPaths {
-  explicit OpenPaths(Documents const& documents);
+  explicit OpenPaths(OpenDocuments const& documents);
 
-  std::map<std::string, Document const*> by_path;
-  std::multimap<std::string, Document const*> by_name;       ///< the last part of the path
+  std::map<std::string, OpenDocument const*> by_path;
+  std::multimap<std::string, OpenDocument const*> by_name;   ///< the last part of the path
   std::map<std::string, std::vector<std::string>> names_in;  ///< by folder, with `/` at the end
 };
 
 class Buffers final : public configuration::Files {
  public:
   /// Both must outlive this object; the documents do not change meanwhile.
-  Buffers(Documents const& documents, configuration::Files& disk)
+  Buffers(OpenDocuments const& documents, configuration::Files& disk)
       : Buffers(std::make_shared<OpenPaths const>(documents), disk) {}
   Buffers(std::shared_ptr<OpenPaths const> open, configuration::Files& disk)
       : disk_(disk), open_(std::move(open)) {}
 
   /// The open document of a file, however its path is written; null for others.
-  [[nodiscard]] Document const* document(std::string const& path) const;
+  [[nodiscard]] OpenDocument const* document(std::string const& path) const;
   /// The URI of the open document, as the client writes it, otherwise one of the path.
   [[nodiscard]] std::string uri(std::string const& path) const;
   /// Whether the document's text has been read.
-  [[nodiscard]] bool has_read(Document const& document) const { return read_.contains(&document); }
+  [[nodiscard]] bool has_read(OpenDocument const& document) const { return read_.contains(&document); }
   /// The same files, without a record of what was asked for.
   [[nodiscard]] Buffers anew() const { return {open_, disk_}; }
   /// The files that were asked for, whether they exist or not.
@@ -63,7 +63,7 @@ class Buffers final : public configuration::Files {
  private:
   configuration::Files& disk_;
   std::shared_ptr<OpenPaths const> open_;
-  std::set<Document const*> read_;
+  std::set<OpenDocument const*> read_;
   mutable AskedFiles asked_;
 };
 

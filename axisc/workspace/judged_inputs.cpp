@@ -29,7 +29,7 @@ std::string named_folder(Inputs const& inputs, std::string const& path) {
 }  // namespace
 
 void judge_in_machines(Inputs& inputs, configuration::Files& files, OptionsOf const& options) {
-  Documents const no_documents;
+  OpenDocuments const no_documents;
   Buffers buffers(no_documents, files);
   MachineSearch search(options);
   std::unordered_set<std::string> const whole(inputs.paths.begin(), inputs.paths.end());

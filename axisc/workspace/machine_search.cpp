@@ -114,7 +114,7 @@ Belonging MachineSearch::machine_of(Buffers& files, std::string const& path,
 }
 
 Belonging machine_of(configuration::Files& files, std::string const& path, OptionsOf const& options) {
-  Documents const none;
+  OpenDocuments const none;
   Buffers buffers(none, files);
   return MachineSearch(options).machine_of(buffers, path);
 }

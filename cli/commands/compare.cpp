@@ -92,9 +92,10 @@ ExitStatus compare(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
   command_line.require(options.recording.has_value(), "RECORDING.csv");
-  auto const input = compiled_input(
-      {.input = *options.input, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
-      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
+  Workspace workspace(overrides_with(options.cycle_time));
+  auto const input =
+      compiled_input(workspace, {.input = *options.input, .alone = options.alone},
+                     printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!input) return ExitStatus::findings;
   auto const& image = input->image.contents;
   auto const axis = recorded_axis(image, options.axis ? options.axis : input->axis(), *options.input);

@@ -53,23 +53,22 @@ class Compile {
   Compile(CompileOptions const& options, Language language, bool color, Streams& streams)
       : options_(options),
         streams_(streams),
-        settings_(options.checking.schema_files),
+        workspace_({.options = check_options(options.checking),
+                    .quiet = options.checking.quiet,
+                    .schema_files = options.checking.schema_files}),
         threads_(asked_threads(options.checking.threads)),
-        job_{.check = {},
+        job_{.workspace = workspace_,
              .checking = options.checking,
              .image = image_options(options),
              .language = language,
              .designs = designs_,
              .skips_other_lists = options.is_batch()} {
-    job_.check.options = check_options(options.checking);
-    job_.check.quiet = options.checking.quiet;
-    job_.check.settings = &settings_;
     report_format_.format = options.checking.format;
     report_format_.write = {.language = language, .color = color, .width = printed_width()};
-    auto inputs = choose_inputs(options, settings_);
-    job_.check.found = std::move(inputs.found);
+    auto [inputs, images] = choose_inputs(options, workspace_.settings());
+    workspace_.take(inputs);
     paths_ = std::move(inputs.paths);
-    names_ = std::move(inputs.images);
+    names_ = std::move(images);
     name_failures_ = std::move(inputs.failures);
     notes_ = std::move(inputs.notes);
     sources_ = std::move(inputs.sources);
@@ -79,7 +78,7 @@ class Compile {
   }
 
   [[nodiscard]] ExitStatus run() {
-    for (auto const& path : paths_) add_settings_files(settings_, path, sources_);
+    for (auto const& path : paths_) add_settings_files(workspace_.settings(), path, sources_);
     protect_sources();
     ReportStream report({.report_format = report_format_,
                          .quiet = options_.checking.quiet,
@@ -154,14 +153,13 @@ class Compile {
     ImageTarget target{.path = names_[index], .depfile = {}, .makes_folder = options_.is_batch()};
     // A batch has one file for the rules of all images.
     if (!options_.is_batch()) target.depfile = options_.depfile;
-    DiskFiles files(path == "-");
-    return write_image(compile_input(job_, path, files), target, more_sources(path));
+    return write_image(compile_input(job_, path), target, more_sources(path));
   }
 
   /// Settings and schema files affect the result, so a build system must watch them too.
   [[nodiscard]] std::vector<std::string> more_sources(std::string const& path) {
     std::vector<std::string> files;
-    add_settings_files(settings_, path, files);
+    add_settings_files(workspace_.settings(), path, files);
     return files;
   }
 
@@ -200,8 +198,8 @@ class Compile {
 
   CompileOptions const& options_;
   Streams& streams_;
-  SettingsFinder settings_;
-  IdentityPaths identity_paths_{settings_};
+  Workspace workspace_;
+  IdentityPaths identity_paths_{workspace_.settings()};
   std::optional<unsigned> threads_;
   codegen::KnownDesigns designs_;
   CompileJob job_;

@@ -43,8 +43,9 @@ ExitStatus contour(Invocation const& invocation) {
   question.machine = *input;
   question.language = invocation.language;
   question.wanted = read_contour_words(words);
+  Workspace workspace(overrides_with(cycle_time));
   auto const checked =
-      checked_machine({.input = *input, .cycle_time = asked_cycle_time(cycle_time), .alone = alone},
+      checked_machine(workspace, {.input = *input, .alone = alone},
                       printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!checked) return ExitStatus::findings;
   if (!question.group) question.group = checked->group;

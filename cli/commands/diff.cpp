@@ -119,21 +119,21 @@ void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& aft
 }
 
 /// None where there is nothing to compare; errors are printed.
-std::optional<Sides> load_sides(DiffOptions const& options, CheckJob job, Invocation const& invocation,
-                                bool color) {
+std::optional<Sides> load_sides(Workspace& workspace, DiffOptions const& options,
+                                Invocation const& invocation, bool color) {
   Sides sides;
-  sides.before = compared_machine(options.inputs.front(), job, printed_errors(invocation, color));
+  sides.before = compared_machine(workspace, options.inputs.front(), printed_errors(invocation, color));
   sides.after = options.inputs.size() == 1
                     ? sides.before
-                    : compared_machine(options.inputs.back(), job, printed_errors(invocation, color));
+                    : compared_machine(workspace, options.inputs.back(), printed_errors(invocation, color));
   if (!sides.before || !sides.after) return std::nullopt;
   warn_of_same_list(*sides.before, *sides.after, invocation);
   // A list alone does not say its NC cycle time: that of the other side counts.
   auto const& known = sides.before->cycle_time_known ? *sides.before : *sides.after;
   auto& unknown = sides.before->cycle_time_known ? sides.after : sides.before;
   if (known.cycle_time_known && !unknown->cycle_time_known && unknown->image && unknown->input != "-") {
-    job.options.cycle_time = known.cycle_time;
-    unknown = compared_machine(unknown->input, job, printed_errors(invocation, color));
+    workspace.assume(known.cycle_time);
+    unknown = compared_machine(workspace, unknown->input, printed_errors(invocation, color));
   }
   return sides;
 }
@@ -164,12 +164,9 @@ ExitStatus diff(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_two_sides(command_line, options);
   double const feed = feed_of(options);
-  SettingsFinder settings(options.schema_files);
-  CheckJob job;
-  job.options.cycle_time = asked_cycle_time(options.cycle_time);
-  job.settings = &settings;
+  Workspace workspace(overrides_with(options.cycle_time, options.schema_files));
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto const sides = load_sides(options, job, invocation, color);
+  auto const sides = load_sides(workspace, options, invocation, color);
   if (!sides) return ExitStatus::findings;
 
   auto const difference = compare(options, *sides);

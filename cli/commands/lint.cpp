@@ -8,7 +8,6 @@
 #include "axisc/files/output_file.hpp"
 #include "axisc/files/protected_files.hpp"
 #include "axisc/workspace/changed_inputs.hpp"
-#include "axisc/workspace/judged_inputs.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/options/lint_options.hpp"
 #include "cli/options/named_files.hpp"
@@ -44,47 +43,51 @@ bool names_language(std::span<std::string const> arguments) {
                      [](std::string const& word) { return word.substr(0, 6) == "--lang"; });
 }
 
+Overrides overrides(CheckingOptions const& given) {
+  auto options = check_options(given);
+  options.machine = false;
+  return {.options = std::move(options), .quiet = given.quiet, .schema_files = given.schema_files};
+}
+
 /// One execution of `axisc lint`.
 class Lint {
  public:
   Lint(LintOptions const& options, Language language, bool color, Streams& streams)
       : options_(options),
         streams_(streams),
-        settings_(options.checking.schema_files),
+        workspace_(overrides(options.checking)),
         threads_(asked_threads(options.checking.threads)),
         inputs_(expand_inputs(
-            options.named, [this](std::string const& path) { return settings_.wants(path); },
+            options.named, [this](std::string const& path) { return workspace_.settings().wants(path); },
             options.hook ? NamedFiles::of_hook : NamedFiles::usual)) {
-    job_.options = check_options(options.checking);
-    job_.options.machine = false;
-    job_.quiet = options.checking.quiet;
     name_standard_input();
-    job_.settings = &settings_;
     report_format_.format = options.checking.format;
     report_format_.write = {.language = language, .color = color, .width = printed_width()};
-    job_.found = inputs_.found;
+    workspace_.take(inputs_);
     choice_ = fix_choice(options);
-    if (options.changed_since) keep_changed(inputs_, changed_since(*options.changed_since), settings_);
+    if (options.changed_since)
+      keep_changed(inputs_, changed_since(*options.changed_since), workspace_.settings());
   }
 
   /// The language in the first input's settings; `--lang` is read elsewhere.
   [[nodiscard]] std::optional<Language> language_of_settings() {
-    auto const* const settings = settings_.find(inputs_.first);
+    auto const* const settings = workspace_.settings().find(inputs_.first);
     return settings == nullptr ? std::nullopt : settings->language;
   }
   void speak(Language language) { report_format_.write.language = language; }
 
   [[nodiscard]] ExitStatus print_settings() {
+    auto& settings = workspace_.settings();
     for (auto const& path : inputs_.paths) {
-      streams_.out.write(describe_settings(path, job_.options, settings_.schema_files(), settings_.find(path),
-                                           report_format_.write.language));
+      streams_.out.write(describe_settings(path, workspace_.overrides().options, settings.schema_files(),
+                                           settings.find(path), report_format_.write.language));
     }
     return ExitStatus::success;
   }
 
   [[nodiscard]] ExitStatus run() {
     read_standard_input();
-    find_machines();
+    if (!options_.alone) workspace_.judge_in_machines(inputs_);
     prepare();
     if (options_.write_baseline) protect(inputs_.sources);
     auto plan = report_plan();
@@ -98,7 +101,8 @@ class Lint {
     ReportStream report(std::move(plan), [&printed](std::string_view text) { printed.write(text); });
     for (auto const& failure : inputs_.failures) fail(report, failure);
     check(report);
-    report.finish(fixes_, [this](Code code) { return is_judged(options_, job_.options, code); });
+    report.finish(fixes_,
+                  [this](Code code) { return is_judged(options_, workspace_.overrides().options, code); });
     if (!machine_notes_.empty()) {
       streams_.err.write(note_lines(machine_notes_, report_format_.write.language));
     }
@@ -118,14 +122,7 @@ class Lint {
   /// An editor's text takes the place of the file. Without a name the check reads it like a file.
   void read_standard_input() {
     if (!options_.stdin_filename) return;
-    job_.edited.emplace(standard_input_, read_whole("-"));
-  }
-
-  void find_machines() {
-    if (options_.alone) return;
-    EditedFiles files(job_.edited, false);
-    judge_in_machines(inputs_, files, [this](std::string const& path) { return options_for(job_, path); });
-    job_.shown = inputs_.shown;
+    workspace_.put(standard_input_, read_whole("-"));
   }
 
   [[nodiscard]] bool is_standard_input(std::string const& path) const { return path == standard_input_; }
@@ -133,7 +130,7 @@ class Lint {
   void prepare() {
     if (needs_context(report_format_.format)) report_format_.context = report_context(inputs_.first);
     // An invalid settings file ends the run before anything is printed.
-    for (auto const& path : inputs_.paths) static_cast<void>(settings_.find(path));
+    for (auto const& path : inputs_.paths) static_cast<void>(workspace_.settings().find(path));
   }
 
   [[nodiscard]] ReportPlan report_plan() {
@@ -179,7 +176,7 @@ class Lint {
     };
     in_order<CheckedInput>(
         {.count = paths.size(),
-         .work = [&](std::size_t i) { return checked(paths[i], at_once ? &print : nullptr); },
+         .work = [&](std::size_t i) { return check_input(workspace_, paths[i], at_once ? &print : nullptr); },
          .take =
              [&](std::size_t i, CheckedInput&& input) {
                if (input.failure) fail(report, *input.failure);
@@ -189,11 +186,6 @@ class Lint {
              },
          .weight = weight_of},
         threads);
-  }
-
-  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const* take) const {
-    EditedFiles files(job_.edited, path == "-");
-    return check_input(job_, path, files, take);
   }
 
   /// Who names a list reads what the list is judged by, and that there is more to mend.
@@ -220,8 +212,8 @@ class Lint {
 
   /// Writes the fixed files, or prints the patch.
   void apply_fixes(Baseline const& baseline) {
-    auto fixed =
-        fix_inputs(job_, inputs_.paths, choice_, baseline, identity_paths_, ChangeableFiles(inputs_.named));
+    auto fixed = fix_inputs(workspace_, inputs_.paths, choice_, baseline, identity_paths_,
+                            ChangeableFiles(inputs_.named));
     for (auto const& [path, before] : fixed.original) {
       auto const& after = fixed.edited.at(path);
       if (options_.diff) {
@@ -238,13 +230,13 @@ class Lint {
       fixes_->applied = 0;
       fixes_->named.clear();
     }
-    job_.edited = std::move(fixed.edited);
-    fixed_standard_input_ = choice_ != FixChoice::none && job_.edited.contains(standard_input_);
+    workspace_.put_all(std::move(fixed.edited));
+    fixed_standard_input_ = workspace_.unsaved().contains(standard_input_);
   }
 
   /// The baseline must not replace what was read.
   void protect(std::vector<std::string> sources) {
-    for (auto const& path : inputs_.paths) add_settings_files(settings_, path, sources);
+    for (auto const& path : inputs_.paths) add_settings_files(workspace_.settings(), path, sources);
     refuse_overwriting({*options_.write_baseline}, sources);
   }
 
@@ -257,11 +249,10 @@ class Lint {
 
   LintOptions const& options_;
   Streams& streams_;
-  SettingsFinder settings_;
-  IdentityPaths identity_paths_{settings_};
+  Workspace workspace_;
+  IdentityPaths identity_paths_{workspace_.settings()};
   std::optional<unsigned> threads_;
   Inputs inputs_;
-  CheckJob job_;
   ReportFormat report_format_;
   std::string standard_input_ = "-";  ///< the name that the input has
   FixChoice choice_ = FixChoice::none;

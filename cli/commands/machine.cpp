@@ -39,11 +39,9 @@ ExitStatus machine(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(input.has_value(), "INPUT");
   auto const path = machine_input(*input);
-  DiskFiles files(path == "-");
+  Workspace workspace(overrides_with(cycle_time));
   SourceSet sources;
-  validator::CheckOptions options;
-  options.cycle_time = asked_cycle_time(cycle_time);
-  auto const loaded = validator::load(files, path, options, sources);
+  auto const loaded = validator::load(workspace.files(), path, workspace.overrides().options, sources);
   if (auto const* const error = std::get_if<configuration::FileError>(&loaded)) {
     throw unreadable(path, *error);
   }

@@ -192,11 +192,10 @@ struct Plotted {
   image::RuntimeHost host;
 };
 
-std::optional<Plotted> plotted(PlotOptions const& options, std::string const& path,
+std::optional<Plotted> plotted(Workspace& workspace, PlotOptions const& options, std::string const& path,
                                Invocation const& invocation, bool color) {
-  auto input = compiled_input(
-      {.input = path, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
-      printed_errors(invocation, color));
+  auto input =
+      compiled_input(workspace, {.input = path, .alone = options.alone}, printed_errors(invocation, color));
   if (!input) return std::nullopt;
   auto host = start_runtime(path, input->image);
   bool const at_once = options.kind != Kind::compare;
@@ -299,9 +298,11 @@ ExitStatus plot(Invocation const& invocation) {
   if (options.target.path) refuse_overwriting({*options.target.path}, inputs);
 
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto now = plotted(options, *options.input, invocation, color);
+  Workspace workspace(overrides_with(options.cycle_time));
+  auto now = plotted(workspace, options, *options.input, invocation, color);
   if (!now) return ExitStatus::findings;
-  auto before = options.before ? plotted(options, *options.before, invocation, color) : std::nullopt;
+  auto before =
+      options.before ? plotted(workspace, options, *options.before, invocation, color) : std::nullopt;
   if (options.before && !before) return ExitStatus::findings;
 
   auto const& contents = now->input.image.contents;

@@ -56,14 +56,13 @@ void declare(CommandLine& command_line, ReportOptions& options) {
 /// The machine at `path`, and whatever else lies in a folder, in the order of `lint`; every finding is kept.
 /// None after errors.
 std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const& path,
-                                      std::vector<std::string> const& inputs, CheckJob const& job) {
+                                      std::vector<std::string> const& inputs, Workspace& workspace) {
   std::optional<CheckedMachine> machine;
   std::optional<Failure> refused;
   for (auto const& input : inputs) {
-    auto disk = std::make_unique<DiskFiles>(input == "-");
     SourceSet sources;
     CheckedInput found;
-    auto judged = judge_input(job, input, *disk, found, [&](Finding&& finding, SourceSet const&) {
+    auto judged = judge_input(workspace, input, found, [&](Finding&& finding, SourceSet const&) {
       found.findings.push_back(std::move(finding));
     });
     if (found.failure) throw Failure(*found.failure);
@@ -73,8 +72,7 @@ std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const&
     refused = refusal(path, result, found.sources, subject.language);
     if (!result.machine) continue;
     if (!refused) require_cycle_time(path, result);
-    machine.emplace(CheckedMachine{
-        .disk = std::move(disk), .machine = *std::move(result.machine), .files = std::move(result.files)});
+    machine.emplace(CheckedMachine{.machine = *std::move(result.machine), .files = std::move(result.files)});
   }
   if (subject.counts.errors > 0) return std::nullopt;
   // Without a machine the page could not say that it is ready.
@@ -90,9 +88,9 @@ struct Earlier {
   std::optional<image::StepAnswers> steps = std::nullopt;
 
   /// Errors are printed.
-  void read(ReportOptions const& options, CheckJob const& job, Invocation const& invocation, bool color) {
-    before = compared_machine(*options.before, job, printed_errors(invocation, color));
-    after = compared_machine(*options.input, job, printed_errors(invocation, color));
+  void read(ReportOptions const& options, Workspace& workspace, Invocation const& invocation, bool color) {
+    before = compared_machine(workspace, *options.before, printed_errors(invocation, color));
+    after = compared_machine(workspace, *options.input, printed_errors(invocation, color));
     if (!before || !after) return;
     difference.emplace(compare_machines(*before, *after, false));
     if (!before->image) return;
@@ -124,10 +122,7 @@ ExitStatus report(Invocation const& invocation) {
   if (options.before) named.push_back(*options.before);
   refuse_overwriting({*options.output}, named);
 
-  SettingsFinder settings;
-  CheckJob job;
-  job.options.cycle_time = asked_cycle_time(options.cycle_time);
-  job.settings = &settings;
+  Workspace workspace(overrides_with(options.cycle_time));
   ReportSubject subject{.input = *options.input,
                         .findings = {},
                         .counts = {},
@@ -135,10 +130,9 @@ ExitStatus report(Invocation const& invocation) {
                         .contour = read_contour_words(options.contour),
                         .language = invocation.language};
   if (!options.contour.feeds) subject.contour.feeds = {1000, 2000, 4000};
-  DiskFiles disk(*options.input == "-");
-  auto const path = machine_of_input({.input = *options.input, .alone = options.alone}, job, disk).machine;
-  auto inputs =
-      expand_inputs({*options.input}, [&](std::string const& file) { return settings.wants(file); });
+  auto const path = machine_of_input(workspace, {.input = *options.input, .alone = options.alone}).machine;
+  auto inputs = expand_inputs({*options.input},
+                              [&](std::string const& file) { return workspace.settings().wants(file); });
   if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
   invocation.streams.err.write(note_lines(inputs.notes, invocation.language));
   bool const is_listed = std::find(inputs.paths.begin(), inputs.paths.end(), path) != inputs.paths.end();
@@ -147,8 +141,8 @@ ExitStatus report(Invocation const& invocation) {
     // Of a list it is the page of its machine.
     if (path != machine_input(*options.input)) subject.input = path;
   }
-  job.found = std::move(inputs.found);
-  auto const machine = checked(subject, path, inputs.paths, job);
+  workspace.take(inputs);
+  auto const machine = checked(subject, path, inputs.paths, workspace);
   std::optional<ImageFile> image;
   std::optional<image::RuntimeHost> host;
   Earlier old;
@@ -165,7 +159,7 @@ ExitStatus report(Invocation const& invocation) {
   }
   if (options.before) {
     bool const color = use_color(command_line.color(), system::Stream::error);
-    old.read(options, job, invocation, color);
+    old.read(options, workspace, invocation, color);
     if (!old.difference) return ExitStatus::findings;
     difference.emplace(
         ShownDifference{.before = *options.before, .after = *options.input, .difference = *old.difference});

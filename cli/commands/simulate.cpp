@@ -156,9 +156,10 @@ ExitStatus simulate(Invocation const& invocation) {
   if (options.program.has_value() == closed_loop || options.plant.has_value() != options.move.has_value()) {
     throw Failure({.sentence = says::what, .arguments = {}});
   }
-  auto checked = checked_machine(
-      {.input = *options.machine, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
-      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
+  Workspace workspace(overrides_with(options.cycle_time));
+  auto checked =
+      checked_machine(workspace, {.input = *options.machine, .alone = options.alone},
+                      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!checked) return ExitStatus::findings;
   return closed_loop ? simulate_plant(options, *checked, invocation, command_line)
                      : simulate_program(options, *std::move(checked), invocation, command_line);

@@ -119,9 +119,10 @@ ExitStatus suggest(Invocation const& invocation) {
   if (options.feed) question.feed_mm_per_min = positive_number("--feed", *options.feed);
   if (options.radius) question.radius_mm = positive_number("--radius", *options.radius);
   question.machine.input = *options.machine;
-  question.machine.cycle_time = asked_cycle_time(options.cycle_time);
-  auto const found = axisc::suggest(
-      question, printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
+  Workspace workspace(overrides_with(options.cycle_time));
+  auto const found =
+      axisc::suggest(workspace, question,
+                     printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!found) return ExitStatus::findings;
   auto& [out, err] = invocation.streams;
   if (found->remark) err.write(warning_line(*found->remark, invocation.language));

@@ -33,12 +33,9 @@ CompileInputs choose_one(CompileOptions const& options) {
   if (named.size() == 1) named.front() = machine_input(named.front());
   if (named.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
   refuse_programs(named);
-  CompileInputs chosen{.paths = std::move(named),
-                       .images = {},
-                       .failures = {},
-                       .notes = {},
-                       .sources = std::move(sources),
-                       .found = {}};
+  CompileInputs chosen;
+  chosen.inputs.paths = std::move(named);
+  chosen.inputs.sources = std::move(sources);
   if (options.output) chosen.images = {*options.output};
   return chosen;
 }
@@ -54,12 +51,7 @@ CompileInputs choose_batch(CompileOptions const& options, SettingsFinder& settin
   });
   refuse_programs(inputs.paths);
   auto images = image_names(inputs.paths, options.input_folder.value_or(""), *options.output_folder);
-  return {.paths = std::move(inputs.paths),
-          .images = std::move(images),
-          .failures = std::move(inputs.failures),
-          .notes = std::move(inputs.notes),
-          .sources = std::move(inputs.sources),
-          .found = std::move(inputs.found)};
+  return {.inputs = std::move(inputs), .images = std::move(images)};
 }
 
 }  // namespace

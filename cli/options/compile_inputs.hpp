@@ -12,12 +12,8 @@
 namespace axisc::cli {
 
 struct CompileInputs {
-  std::vector<std::string> paths;
-  std::vector<std::string> images;                    ///< by input
-  std::vector<Failure> failures;                      ///< names of a batch that cannot be used
-  std::vector<Message> notes;                         ///< see Inputs
-  std::vector<std::string> sources;                   ///< see Inputs
-  std::unordered_map<std::string, FoundInput> found;  ///< see Inputs
+  Inputs inputs;
+  std::vector<std::string> images;  ///< by input
 };
 
 /// Failure for inputs that cannot become an image, and for two images of the same name.

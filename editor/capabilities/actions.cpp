@@ -50,14 +50,15 @@ bool wants(Json const& params, std::string_view kind) {
   });
 }
 
-bool is_fixed_in(Fix const& fix, SourceSet const& sources, Buffers const& files, Document const& document) {
+bool is_fixed_in(Fix const& fix, SourceSet const& sources, Buffers const& files,
+                 OpenDocument const& document) {
   return std::all_of(fix.edits.begin(), fix.edits.end(), [&](Edit const& edit) {
     return files.document(sources[edit.place.source].name()) == &document;
   });
 }
 
 /// Edits of the document.
-Json fix_all(OpenMachines& machines, Document const& document) {
+Json fix_all(OpenMachines& machines, OpenDocument const& document) {
   auto const machine = machines.machine_of(document);
   auto documents = machines.documents();
   auto& fixed = documents.at(document.uri);
@@ -76,7 +77,7 @@ Json fix_all(OpenMachines& machines, Document const& document) {
   return edits_between(document.text, fixed.text, machines.encoding());
 }
 
-void add_fixes(OpenMachines& machines, Document const& asked, TextPosition begin, TextPosition end,
+void add_fixes(OpenMachines& machines, OpenDocument const& asked, TextPosition begin, TextPosition end,
                Json& actions) {
   auto& reading = machines.reading_of(asked);
   auto const& files = reading.files();

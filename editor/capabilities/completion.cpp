@@ -21,7 +21,7 @@ bool continues_segment(char character) {
          character == '_';
 }
 
-Json complete_program(OpenMachines const& machines, Document const& asked, std::size_t offset) {
+Json complete_program(OpenMachines const& machines, OpenDocument const& asked, std::size_t offset) {
   auto const before = std::string_view(asked.text).substr(0, offset);
   auto const line = before.substr(before.find_last_of("\r\n") + 1);
   auto const word = line.find_last_of(" [=]\t") + 1;

@@ -70,7 +70,7 @@ Json diagnostic(Finding const& finding, Places const& places, Client const& clie
   return shown;
 }
 
-Json diagnostics(OpenMachines& machines, Document const& document) {
+Json diagnostics(OpenMachines& machines, OpenDocument const& document) {
   auto& reading = machines.reading_of(document);
   Places const places(reading.sources(), reading.files(), machines.encoding());
   Json found = Json::array();

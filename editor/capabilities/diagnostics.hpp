@@ -10,7 +10,7 @@ namespace axisc::editor {
 
 [[nodiscard]] Json diagnostic(Finding const& finding, Places const& places, Client const& client);
 /// The findings of the document's machine that lie in the document.
-[[nodiscard]] Json diagnostics(OpenMachines& machines, Document const& document);
+[[nodiscard]] Json diagnostics(OpenMachines& machines, OpenDocument const& document);
 /// For clients that pull diagnostics.
 [[nodiscard]] Json pull(OpenMachines& machines, Json const& params);
 

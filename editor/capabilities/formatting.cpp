@@ -12,7 +12,7 @@ namespace axisc::editor {
 
 namespace {
 
-std::string aligned(OpenMachines const& machines, Document const& document) {
+std::string aligned(OpenMachines const& machines, OpenDocument const& document) {
   return validator::aligned_list(SourceText(document.path, document.text),
                                  machines.options()(document.path).catalogue);
 }

@@ -48,7 +48,7 @@ std::vector<Line> lines_in(LoadedList const& list, schema::Slot slot) {
 class ValueHierarchy {
  public:
   /// `asked` is the document that the request came from. Both outlive this object.
-  ValueHierarchy(OpenMachines& machines, Document const& asked)
+  ValueHierarchy(OpenMachines& machines, OpenDocument const& asked)
       : machines_(machines),
         asked_(asked),
         reading_(machines.reading_of(asked)),
@@ -192,7 +192,7 @@ class ValueHierarchy {
   }
 
   OpenMachines& machines_;
-  Document const& asked_;
+  OpenDocument const& asked_;
   MachineReading& reading_;
   Places places_;
 };

@@ -18,7 +18,7 @@ bool is_of_cascade(std::string_view name) {
   return family.starts_with("filter[") || family == "filter_fir";
 }
 
-PageSubject subject_of(OpenMachines& machines, Document const& document, Buffers& files) {
+PageSubject subject_of(OpenMachines& machines, OpenDocument const& document, Buffers& files) {
   auto const* const axis = is_list(document.path) ? machines.list_of(document).axis() : nullptr;
   return {.files = files,
           .machine = machines.machine_of(document),

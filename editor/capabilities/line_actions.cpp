@@ -70,7 +70,7 @@ std::optional<Measured> measured(OpenList const& list, grammar::Assignment const
 }
 
 /// A workspace edit.
-Json insertion(Document const& document, Json const& range, std::string const& text) {
+Json insertion(OpenDocument const& document, Json const& range, std::string const& text) {
   return {{"changes", {{document.uri, Json::array({{{"range", range}, {"newText", text}}})}}}};
 }
 
@@ -115,7 +115,7 @@ std::optional<Rewrite> word(OpenMachines& machines, OpenList const& list, gramma
 
 }  // namespace
 
-void add_finding_actions(Json& actions, OpenMachines& machines, Document const& document,
+void add_finding_actions(Json& actions, OpenMachines& machines, OpenDocument const& document,
                          Finding const& finding, Json const& shown) {
   std::string const code = code_text(finding.code);
   auto const add = [&](SentenceRef title, std::string const& what, Json does) {
@@ -142,7 +142,7 @@ void add_finding_actions(Json& actions, OpenMachines& machines, Document const& 
        {"arguments", {document.uri, code}}});
 }
 
-void add_rewrites(Json& actions, OpenMachines& machines, Document const& document, std::size_t offset) {
+void add_rewrites(Json& actions, OpenMachines& machines, OpenDocument const& document, std::size_t offset) {
   if (!is_list(document.path)) return;
   auto const& list = machines.list_of(document);
   auto const* const line = list.line_at(offset);

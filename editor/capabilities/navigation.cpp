@@ -59,7 +59,7 @@ std::vector<NamedFile> files_of_start_up_list(Buffers& files, SourceSet const& s
   return named;
 }
 
-std::vector<NamedFile> named_files(Buffers& files, SourceSet& sources, Document const& document) {
+std::vector<NamedFile> named_files(Buffers& files, SourceSet& sources, OpenDocument const& document) {
   auto const source = sources.add(SourceText(document.path, document.text));
   if (document.path.ends_with(".json")) {
     if (!configuration::looks_like_machine_file(document.text)) return {};
@@ -72,7 +72,7 @@ std::vector<NamedFile> named_files(Buffers& files, SourceSet& sources, Document 
 enum class LinesOf : std::uint8_t { list, machine };
 
 /// The lines that set the parameter at a byte: for the list alone, or in the whole machine.
-Json lines_setting(OpenMachines& machines, Document const& asked, std::size_t offset, LinesOf of) {
+Json lines_setting(OpenMachines& machines, OpenDocument const& asked, std::size_t offset, LinesOf of) {
   auto found = Json::array();
   auto& reading = machines.reading_of(asked);
   auto const& list = reading.list(asked);

@@ -51,7 +51,7 @@ std::optional<std::size_t> axis_in_machine_file(validator::LoadedMachine const& 
 
 }  // namespace
 
-std::optional<std::string> list_of_named_axis(MachineReading const& reading, Document const& document,
+std::optional<std::string> list_of_named_axis(MachineReading const& reading, OpenDocument const& document,
                                               std::size_t offset) {
   auto const* const machine = reading.machine();
   if (machine == nullptr) return std::nullopt;

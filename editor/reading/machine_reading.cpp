@@ -27,7 +27,7 @@ std::vector<Finding> const& MachineReading::findings() {
   return findings;
 }
 
-OpenList const& MachineReading::list(Document const& document) {
+OpenList const& MachineReading::list(OpenDocument const& document) {
   auto& known = lists_[&document];
   if (!known) {
     known = std::make_unique<OpenList const>(document, files_, machine(), sources_, catalogue_,

@@ -29,9 +29,9 @@ class MachineReading {
   [[nodiscard]] validator::LoadedMachine const* machine() const { return machine_ ? &*machine_ : nullptr; }
   /// In output order. Findings without a file belong to the machine's input.
   [[nodiscard]] std::vector<Finding> const& findings();
-  [[nodiscard]] OpenList const& list(Document const& document);
+  [[nodiscard]] OpenList const& list(OpenDocument const& document);
   /// The text of the document was read.
-  [[nodiscard]] bool depends_on(Document const& document) const {
+  [[nodiscard]] bool depends_on(OpenDocument const& document) const {
     return files_.has_read(document) || lists_.contains(&document);
   }
 
@@ -43,7 +43,7 @@ class MachineReading {
   schema::Catalogue catalogue_;  ///< of axis lists
   std::optional<validator::LoadedMachine> machine_;
   std::optional<std::vector<Finding>> findings_;
-  std::map<Document const*, std::unique_ptr<OpenList const>> lists_;
+  std::map<OpenDocument const*, std::unique_ptr<OpenList const>> lists_;
 };
 
 }  // namespace axisc::editor

@@ -31,9 +31,9 @@ bool is_list(std::string const& path) {
          !path.ends_with(".json") && !path.ends_with(".nc");
 }
 
-OpenList::OpenList(Document const& document, Buffers const& files, validator::LoadedMachine const* machine,
-                   SourceSet const& sources, schema::Catalogue const& catalogue,
-                   std::optional<schema::ListKind> kind)
+OpenList::OpenList(OpenDocument const& document, Buffers const& files,
+                   validator::LoadedMachine const* machine, SourceSet const& sources,
+                   schema::Catalogue const& catalogue, std::optional<schema::ListKind> kind)
     : text_(document.path, document.text),
       tree_(grammar::parse_axis_list(text_)),
       sources_(sources),
@@ -47,7 +47,7 @@ OpenList::OpenList(Document const& document, Buffers const& files, validator::Lo
   catalogue_ = known == schema::ListKind::axis ? catalogue : schema::Catalogue::of(known);
 }
 
-void OpenList::find_in(Buffers const& files, Document const& document) {
+void OpenList::find_in(Buffers const& files, OpenDocument const& document) {
   auto const& machine = *machine_;
   auto const is_here = [&](validator::NamedList const& named) {
     return files.document(sources_[named.list.source].name()) == &document;

@@ -18,7 +18,7 @@ class OpenList {
  public:
   /// `machine` is null if it cannot be read. `catalogue` is the one of axis lists; `kind`, from the settings,
   /// applies to a list without a machine. The machine and its sources outlive the list.
-  OpenList(Document const& document, Buffers const& files, validator::LoadedMachine const* machine,
+  OpenList(OpenDocument const& document, Buffers const& files, validator::LoadedMachine const* machine,
            SourceSet const& sources, schema::Catalogue const& catalogue,
            std::optional<schema::ListKind> kind);
   OpenList(OpenList const&) = delete;
@@ -48,7 +48,7 @@ class OpenList {
   [[nodiscard]] std::vector<Place> lines_setting_in_machine(schema::Slot slot) const;
 
  private:
-  void find_in(Buffers const& files, Document const& document);
+  void find_in(Buffers const& files, OpenDocument const& document);
 
   SourceText text_;
   grammar::AxisList tree_;

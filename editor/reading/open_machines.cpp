@@ -10,30 +10,30 @@ namespace axisc::editor {
 namespace {
 
 /// Its text may determine which files belong together.
-bool may_be_machine(Document const& document) {
+bool may_be_machine(OpenDocument const& document) {
   return !is_list(document.path) ? !document.path.ends_with(".nc")
                                  : configuration::looks_like_start_up_list(document.text);
 }
 
 }  // namespace
 
-Document const& OpenMachines::document(Json const& uri) const {
+OpenDocument const& OpenMachines::document(Json const& uri) const {
   return documents_.at(uri.get<std::string>());
 }
 
-Document const& OpenMachines::asked(Json const& params) const {
+OpenDocument const& OpenMachines::asked(Json const& params) const {
   return document(params.at("textDocument").at("uri"));
 }
 
-std::size_t OpenMachines::offset(Document const& document, Json const& params) const {
+std::size_t OpenMachines::offset(OpenDocument const& document, Json const& params) const {
   return TextLines(document.text, client_.encoding).offset(position_in(params.at("position")));
 }
 
-Json OpenMachines::range(Document const& document, std::size_t begin, std::size_t end) const {
+Json OpenMachines::range(OpenDocument const& document, std::size_t begin, std::size_t end) const {
   return range_between(document.text, begin, end, client_.encoding);
 }
 
-OpenMachines::Uris OpenMachines::open(Document document) {
+OpenMachines::Uris OpenMachines::open(OpenDocument document) {
   auto const uri = document.uri;
   auto const& opened = documents_[uri] = std::move(document);
   open_paths_ = nullptr;
@@ -44,7 +44,7 @@ OpenMachines::Uris OpenMachines::open(Document document) {
   return may_be_machine(opened) || (is_new && readers_.know(opened.path)) ? forget() : Uris{uri};
 }
 
-OpenMachines::Uris OpenMachines::replace(Document const& document, std::string text,
+OpenMachines::Uris OpenMachines::replace(OpenDocument const& document, std::string text,
                                          std::optional<std::int64_t> version) {
   auto& changed = documents_.at(document.uri);
   bool const was_machine = may_be_machine(changed);
@@ -92,7 +92,7 @@ Buffers OpenMachines::buffers() {
   return {open_paths_, disk_};
 }
 
-std::string const& OpenMachines::machine_of(Document const& document) {
+std::string const& OpenMachines::machine_of(OpenDocument const& document) {
   auto const known = machines_.find(document.uri);
   if (known != machines_.end()) return known->second;
   auto files = buffers();

@@ -45,19 +45,20 @@ class OpenMachines {
     return editor::say(sentence, client_.language, std::move(arguments));
   }
 
-  [[nodiscard]] Documents const& documents() const { return documents_; }
+  [[nodiscard]] OpenDocuments const& documents() const { return documents_; }
   /// By its URI; throws std::out_of_range if it is not open.
-  [[nodiscard]] Document const& document(Json const& uri) const;
+  [[nodiscard]] OpenDocument const& document(Json const& uri) const;
   /// The document that a request names.
-  [[nodiscard]] Document const& asked(Json const& params) const;
+  [[nodiscard]] OpenDocument const& asked(Json const& params) const;
   /// The byte at the "position" of a request.
-  [[nodiscard]] std::size_t offset(Document const& document, Json const& params) const;
+  [[nodiscard]] std::size_t offset(OpenDocument const& document, Json const& params) const;
   /// The range between two bytes of a document.
-  [[nodiscard]] Json range(Document const& document, std::size_t begin, std::size_t end) const;
+  [[nodiscard]] Json range(OpenDocument const& document, std::size_t begin, std::size_t end) const;
 
   /// Each returns the open documents whose findings may have changed.
-  [[nodiscard]] Uris open(Document document);
-  [[nodiscard]] Uris replace(Document const& document, std::string text, std::optional<std::int64_t> version);
+  [[nodiscard]] Uris open(OpenDocument document);
+  [[nodiscard]] Uris replace(OpenDocument const& document, std::string text,
+                             std::optional<std::int64_t> version);
   [[nodiscard]] Uris close(std::string const& uri);
   /// For changes of files or settings.
   [[nodiscard]] Uris forget();
@@ -67,14 +68,14 @@ class OpenMachines {
   [[nodiscard]] OptionsOf const& options() const { return options_; }
   [[nodiscard]] Buffers buffers();
   /// The disk with other documents over it, which outlive the result.
-  [[nodiscard]] Buffers buffers(Documents const& documents) const { return {documents, disk_}; }
+  [[nodiscard]] Buffers buffers(OpenDocuments const& documents) const { return {documents, disk_}; }
   /// The input of the machine that the document belongs to.
-  [[nodiscard]] std::string const& machine_of(Document const& document);
+  [[nodiscard]] std::string const& machine_of(OpenDocument const& document);
   [[nodiscard]] MachineReading& reading_of(std::string const& machine);
-  [[nodiscard]] MachineReading& reading_of(Document const& document) {
+  [[nodiscard]] MachineReading& reading_of(OpenDocument const& document) {
     return reading_of(machine_of(document));
   }
-  [[nodiscard]] OpenList const& list_of(Document const& document) {
+  [[nodiscard]] OpenList const& list_of(OpenDocument const& document) {
     return reading_of(document).list(document);
   }
 
@@ -82,7 +83,7 @@ class OpenMachines {
   configuration::Files& disk_;
   OptionsOf options_;
   Client client_;
-  Documents documents_;
+  OpenDocuments documents_;
   std::shared_ptr<OpenPaths const> open_paths_;  ///< null after a document was opened or closed
   MachineSearch search_;
   Readers readers_;  ///< of machines whose readings were dropped and that are not checked anyway

@@ -1,4 +1,4 @@
-// Documents that are opened, changed and closed, and files that change under them.
+// OpenDocuments that are opened, changed and closed, and files that change under them.
 #include "editor/server.hpp"
 #include "support/catch.hpp"
 #include "support/conversation.hpp"

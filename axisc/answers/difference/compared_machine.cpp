@@ -19,25 +19,6 @@ bool is_image(std::string_view bytes) {
   return bytes.substr(0, 4) == "AXIM";
 }
 
-/// Returns the content of a file that has been read already; other files come from `files`.
-class HeldFiles final : public configuration::Files {
- public:
-  HeldFiles(configuration::Files& files, std::string path, std::string content)
-      : files_(files), path_(std::move(path)), content_(std::move(content)) {}
-  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override {
-    if (path == path_) return content_;
-    return files_.read(path);
-  }
-  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
-      std::string const& path, configuration::PieceReceiver const& receive) override {
-    return path == path_ ? Files::read_pieces(path, receive) : files_.read_pieces(path, receive);
-  }
-
- private:
-  configuration::Files& files_;
-  std::string path_, content_;
-};
-
 std::vector<std::string> names_of(std::vector<ComparedAxis> const& axes,
                                   std::vector<std::size_t> const& indices) {
   std::vector<std::string> names;
@@ -186,24 +167,22 @@ std::string ComparedMachine::written(validator::EffectiveValue const& value) con
   return place ? sources[place->source].utf8(place->span) : std::string();
 }
 
-std::unique_ptr<ComparedMachine> compared_machine(std::string const& input, CheckJob const& job,
+std::unique_ptr<ComparedMachine> compared_machine(Workspace& workspace, std::string const& input,
                                                   ErrorSink const& errors) {
   auto side = std::make_unique<ComparedMachine>();
   side->input = input;
   auto const path = machine_input(input);
-  DiskFiles disk(path == "-");
-  auto read = disk.read(path);
+  auto read = workspace.files().read(path);
   auto const* const error = std::get_if<configuration::FileError>(&read);
   bool const may_be_image = error != nullptr && (*error == configuration::FileError::image ||
                                                  *error == configuration::FileError::binary);
   if (error != nullptr && !may_be_image) throw unreadable(path, *error);
   if (may_be_image || is_image(std::get<std::string>(read))) {
     side->image = load_image(path);
-    fill_from_image(*side, options_for(job, path).catalogue);
+    fill_from_image(*side, workspace.options_of(path).catalogue);
     return side;
   }
-  HeldFiles files(disk, path, std::get<std::string>(std::move(read)));
-  auto const result = check_machine(job, path, files, errors, side->sources, side->loaded);
+  auto const result = check_machine(workspace, path, errors, side->sources, side->loaded);
   if (result) side->image = image_of(*result->machine, path);
   if (side->loaded->axes.empty()) return nullptr;
   FromLists(*side).fill();

@@ -69,7 +69,8 @@ struct ComparedMachine {
 /// Reads a list, a machine file, a start-up list, the only machine in a folder, or an image. `errors` takes
 /// errors, and what can be read is compared nevertheless; null where that is no axis. Failure for what cannot
 /// be read or compiled.
-[[nodiscard]] std::unique_ptr<ComparedMachine> compared_machine(std::string const& input, CheckJob const& job,
+[[nodiscard]] std::unique_ptr<ComparedMachine> compared_machine(Workspace& workspace,
+                                                                std::string const& input,
                                                                 ErrorSink const& errors);
 
 }  // namespace axisc

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/tuning/suggestion/list_lines.hpp"
-#include "axisc/checking/edited_files.hpp"
+#include "axisc/workspace/edited_files.hpp"
 #include "validator/loading/loading.hpp"
 
 #include <cstddef>

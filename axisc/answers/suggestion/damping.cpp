@@ -64,7 +64,7 @@ DampingAnswer damping_for(SuggestionSubject const& subject, tuning::Task const& 
     answer.edits = edit_lists(loaded, LinesByAxis{{index, lines}}, subject.sources);
   }
   if (!answer.edits.refused) {
-    answer.findings = NewFindings(subject.path, subject.job).of(answer.edits.edited);
+    answer.findings = NewFindings(subject.path, subject.workspace).of(answer.edits.edited);
   }
   return answer;
 }

@@ -6,15 +6,15 @@
 
 namespace axisc {
 
-NewFindings::NewFindings(std::string const& path, CheckJob const& job)
-    : path_(path), job_(job), before_(count({})) {}
+NewFindings::NewFindings(std::string const& path, Workspace& workspace)
+    : path_(path), workspace_(workspace), before_(count({})) {}
 
 NewFindings::Counts NewFindings::count(EditedBytes const& edited) const {
-  EditedFiles files(edited, false);
+  EditedFiles files(edited, workspace_.disk());
   SourceSet sources;
   Counts counts;
   static_cast<void>(
-      validator::check(files, path_, options_for(job_, path_), sources,
+      validator::check(files, path_, workspace_.options_of(path_), sources,
                        [&](Finding const& finding) { ++counts[identity_of(finding, sources)]; }));
   return counts;
 }

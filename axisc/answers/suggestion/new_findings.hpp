@@ -1,8 +1,7 @@
 // What the check would say to edited lists that it does not say to the present ones.
 #pragma once
 
-#include "axisc/checking/check_input.hpp"
-#include "axisc/checking/edited_files.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "diagnostics/fingerprint.hpp"
 
 #include <cstddef>
@@ -15,7 +14,7 @@ namespace axisc {
 class NewFindings {
  public:
   /// Checks the machine as it is. Both outlive this.
-  NewFindings(std::string const& path, CheckJob const& job);
+  NewFindings(std::string const& path, Workspace& workspace);
 
   /// Codes, each once.
   [[nodiscard]] std::vector<std::string> of(EditedBytes const& edited) const;
@@ -25,7 +24,7 @@ class NewFindings {
   [[nodiscard]] Counts count(EditedBytes const& edited) const;
 
   std::string const& path_;
-  CheckJob const& job_;
+  Workspace& workspace_;
   Counts before_;
 };
 

@@ -96,20 +96,16 @@ Message nothing_helps(NoSuggestion const& none, SuggestQuestion const& question)
 
 }  // namespace
 
-std::optional<Suggested> suggest(SuggestQuestion const& question, ErrorSink const& errors) {
+std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& question,
+                                 ErrorSink const& errors) {
   auto const refuse = [](SentenceRef why) { return Failure({.sentence = why, .arguments = {}}); };
   auto const& [in, out] = question.columns;
   if (question.resonances.has_value() == question.measured.has_value()) throw refuse(says::one_source);
   if (!question.measured && (in || out)) throw refuse(says::of_measured);
-  SettingsFinder settings;
-  CheckJob job;
-  job.options.cycle_time = question.machine.cycle_time;
-  job.settings = &settings;
-  DiskFiles disk(question.machine.input == "-");
-  auto const [path, list] = machine_of_input(question.machine, job, disk);
+  auto const [path, list] = machine_of_input(workspace, question.machine);
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
-  auto const checked = check_machine(job, path, disk, errors, sources, loaded);
+  auto const checked = check_machine(workspace, path, errors, sources, loaded);
   if (!checked) return std::nullopt;
   require_cycle_time(path, *checked);
   auto const& machine = *checked->machine;
@@ -117,7 +113,7 @@ std::optional<Suggested> suggest(SuggestQuestion const& question, ErrorSink cons
       question.axis ? axis_named(machine, *question.axis) : axis_of_list(*loaded, sources, list);
   if (!axis) throw refuse(says::which_axis);
   SuggestionSubject const subject{.path = path,
-                                  .job = job,
+                                  .workspace = workspace,
                                   .loaded = *loaded,
                                   .sources = sources,
                                   .machine = machine,

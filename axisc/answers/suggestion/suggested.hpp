@@ -43,6 +43,7 @@ struct Suggested {
 
 /// None where `errors` of the machine prevent it. Failure for what cannot be read, and for an axis that is
 /// not there or moves on no path.
-[[nodiscard]] std::optional<Suggested> suggest(SuggestQuestion const& question, ErrorSink const& errors);
+[[nodiscard]] std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& question,
+                                               ErrorSink const& errors);
 
 }  // namespace axisc

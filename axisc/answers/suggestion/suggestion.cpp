@@ -143,7 +143,7 @@ std::variant<NoSuggestion, Suggestion> suggestion_for(SuggestionSubject const& s
     found.present = Setting{.chain = present, .figures = judge.figures(response)};
     predict(*found.present, machine, subject, task);
   }
-  NewFindings const findings(subject.path, subject.job);
+  NewFindings const findings(subject.path, subject.workspace);
   for (std::size_t i = 0; i < tuning::senses; ++i) {
     auto const& chain = choice->chosen[i].chain;
     auto& alternative = found.alternatives[i];

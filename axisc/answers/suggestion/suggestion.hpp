@@ -5,7 +5,7 @@
 #include "analysis/tuning/suggestion/choice.hpp"
 #include "axisc/answers/suggestion/chain_edits.hpp"
 #include "axisc/answers/suggestion/measured_resonances.hpp"
-#include "axisc/checking/check_input.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "configuration/machine/machine.hpp"
 
 #include <array>
@@ -56,7 +56,7 @@ struct Suggestion {
 /// A checked machine with the lists that it was made from.
 struct SuggestionSubject {
   std::string const& path;
-  CheckJob const& job;
+  Workspace& workspace;
   validator::LoadedMachine const& loaded;
   SourceSet const& sources;
   machine::Machine const& machine;

@@ -26,12 +26,10 @@ validator::CheckOptions options() {
 }
 
 std::string fixed(std::string const& list, FixChoice choice, FixFacts* facts = nullptr) {
-  CheckJob job;
-  job.options = options();
-  job.edited = {{"x.lis", list}};
-  SettingsFinder settings;
-  IdentityPaths identity_paths(settings);
-  auto const result = fix_inputs(job, {"x.lis"}, choice, {}, identity_paths, ChangeableFiles({}));
+  Workspace workspace({.options = options()});
+  workspace.put("x.lis", list);
+  IdentityPaths identity_paths(workspace.settings());
+  auto const result = fix_inputs(workspace, {"x.lis"}, choice, {}, identity_paths, ChangeableFiles({}));
   if (facts != nullptr) *facts = result.facts;
   return result.edited.at("x.lis");
 }
