@@ -109,7 +109,7 @@ class Expansion {
                   cannot_read));
     } else {
       Found file{.path = input.path, .is_link = is_link, .outline = outline_of(input.path)};
-      bool const is_chosen = named_files_ == NamedFiles::usual || wanted_(input.path);
+      bool const is_chosen = named_files_ != NamedFiles::of_hook || wanted_(input.path);
       if (is_chosen && !is_passed_over(file)) found_.push_back(std::move(file));
     }
   }
@@ -215,7 +215,7 @@ class Expansion {
   }
 
   [[nodiscard]] bool is_passed_over(Found const& file) {
-    if (named_files_ == NamedFiles::usual || !is_something_else(file)) return false;
+    if (named_files_ != NamedFiles::of_hook || !is_something_else(file)) return false;
     if (file.outline.is_unclear) note(says::unclear, file.path);
     return true;
   }

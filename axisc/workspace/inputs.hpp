@@ -36,7 +36,8 @@ enum class NamedFiles : std::uint8_t {
   usual,
   /// By a hook that passes all files of a commit: `@x.lis` is a file, and files that a folder would skip are
   /// skipped.
-  of_hook
+  of_hook,
+  literal,  ///< by a program: `@x.lis` is a file
 };
 
 /// A folder is replaced by every list and machine file below it, sorted; `@FILE` by the names in it

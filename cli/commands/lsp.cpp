@@ -1,13 +1,12 @@
-#include "cli/commands/lsp.hpp"
-
 #include "axisc/environment/failure.hpp"
+#include "cli/commands/commands.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "editor/framing.hpp"
+#include "editor/session.hpp"
 #include "system/file.hpp"
 
 #include <array>
-#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
@@ -26,17 +25,12 @@ constexpr Sentence no_frame{
 
 namespace axisc::cli {
 
-std::unique_ptr<editor::Session> editor_session(Invocation const& invocation) {
+ExitStatus lsp(Invocation const& invocation) {
   CommandLine command_line("lsp", invocation.language);
   CheckingOptions given;
   declare_control(command_line, given);
-  if (command_line.answers(invocation)) return nullptr;
-  return std::make_unique<editor::Session>(check_options(given), invocation.language);
-}
-
-ExitStatus lsp(Invocation const& invocation) {
-  auto const session = editor_session(invocation);
-  if (session == nullptr) return ExitStatus::success;
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  editor::Session session(check_options(given), invocation.language);
   auto const opened = system::File::standard_input();
   auto const* const input = std::get_if<system::File>(&opened);
   if (input == nullptr) return ExitStatus::failure;
@@ -48,7 +42,7 @@ ExitStatus lsp(Invocation const& invocation) {
   constexpr std::size_t most_waiting = 1000;
   editor::FrameReader frames;
   std::vector<std::string> waiting;
-  for (bool has_input = true; has_input && !session->has_ended() && !frames.is_broken();) {
+  for (bool has_input = true; has_input && !session.has_ended() && !frames.is_broken();) {
     auto const got = input->read(buffer);
     auto const* const size = std::get_if<std::size_t>(&got);
     has_input = size != nullptr && *size > 0;
@@ -58,15 +52,15 @@ ExitStatus lsp(Invocation const& invocation) {
     // may be cancelled already.
     bool const can_wait = has_input && !frames.is_broken() && waiting.size() < most_waiting;
     if (can_wait && input->is_ready()) continue;
-    send(session->take(std::exchange(waiting, {})));
-    if (!session->has_ended()) send(session->publish());
+    send(session.take(std::exchange(waiting, {})));
+    if (!session.has_ended()) send(session.publish());
     invocation.streams.out.flush();
   }
   if (frames.is_broken()) {
     throw Failure(
         {.sentence = says::no_frame, .arguments = {{"most", std::to_string(editor::longest_message)}}});
   }
-  return session->ended_properly() ? ExitStatus::success : ExitStatus::findings;
+  return session.ended_properly() ? ExitStatus::success : ExitStatus::findings;
 }
 
 }  // namespace axisc::cli

@@ -35,6 +35,7 @@ std::map<std::string, std::string> const libraries = {
     {"presentation", "presentation"},
     {"axisc", "axisc"},
     {"editor", "editor"},
+    {"interface", "web/interface"},
     {"cli", "cli"},
 };
 
@@ -64,6 +65,8 @@ std::map<std::string, std::set<std::string>> const may_include = {
     {"editor",
      {"axisc", "presentation", "pictures", "motion", "image", "codegen", "validator", "configuration",
       "machine", "design", "schema", "grammar", "diagnostics"}},
+    {"interface",
+     {"axisc", "editor", "presentation", "pictures", "codegen", "validator", "configuration", "diagnostics"}},
     {"cli",
      {"axisc", "editor", "presentation", "pictures", "motion", "tuning", "comparison", "recordings", "image",
       "codegen", "validator", "configuration", "machine", "design", "schema", "grammar", "diagnostics",

@@ -7,12 +7,12 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { begin, take } from "../../cli/browser/server.mjs";
+import { Axisc } from "../../web/interface/axisc.mjs";
 import { below } from "./below.mjs";
 import { mountComputer } from "./webassembly.mjs";
 
 const [native, script, samples] = process.argv.slice(2);
-const words = ["--lang", "de", "--cycle-time", "1ms"];
+const words = ["--lang", "de"];
 
 /// What an editor says about one list: it asks at every fifth line, types a mistake, and closes the list.
 function conversation(path) {
@@ -77,27 +77,29 @@ async function ofNative(messages) {
   return sequences(sent);
 }
 
-const err = [];
 const wasmBinary = readFileSync(join(dirname(script), "axisc.wasm"));
-const program = await createRequire(import.meta.url)(script)({ wasmBinary, printErr: (line) => err.push(line) });
+const program = await createRequire(import.meta.url)(script)({ wasmBinary });
 mountComputer(program);
 
 function ofWebAssembly(messages) {
-  assert.ok(begin(program, words), err.join("\n"));
-  return sequences(messages.flatMap((message) => take(program, message)));
+  const workspace = new Axisc(program, { language: "de" });
+  const sent = messages.flatMap((message) => workspace.message(message));
+  workspace.close();
+  return sequences(sent);
 }
 
-assert.deepEqual(take(program, { jsonrpc: "2.0", id: 1, method: "initialize", params: {} }), [], "no server has begun");
-assert.ok(!begin(program, ["--cycle-time", "soon"]));
-assert.match(err.join("\n"), /^axisc: error.*soon/);
+const refused = new Axisc(program, { cycle_time: "soon" });
+assert.match(refused.error, /^axisc: error.*soon/);
+assert.deepEqual(refused.message({ jsonrpc: "2.0", id: 1, method: "initialize", params: {} }), [], "it is closed");
 
 // Messages that arrived together.
-assert.ok(begin(program, words), err.join("\n"));
-take(program, { jsonrpc: "2.0", id: 1, method: "initialize", params: { capabilities: {} } });
+const opened = new Axisc(program);
+const take = (...messages) => opened.message(...messages);
+take({ jsonrpc: "2.0", id: 1, method: "initialize", params: { capabilities: {} } });
 const symbols = (id) => ({ jsonrpc: "2.0", id, method: "workspace/symbol", params: { query: "" } });
-const together = take(program, symbols(2), symbols(3), { jsonrpc: "2.0", method: "$/cancelRequest", params: { id: 2 } });
+const together = take(symbols(2), symbols(3), { jsonrpc: "2.0", method: "$/cancelRequest", params: { id: 2 } });
 assert.deepEqual(together.map(({ id, error }) => [id, error?.code]), [[2, -32800], [3, undefined]]);
-assert.equal(take(program, { jsonrpc: "2.0", id: "\ud800", method: "no/such" })[0].error.code, -32700, "half a character");
+assert.equal(take({ jsonrpc: "2.0", id: "\ud800", method: "no/such" })[0].error.code, -32700, "half a character");
 
 const lists = [...below(samples)].filter((path) => /\.lis$/i.test(path));
 let [answers, diagnostics] = [0, 0];

@@ -108,6 +108,7 @@ std::optional<configuration::FileError> Loader::load(std::string const& path) {
     }
   }
   if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
+  if (!machine_.cycle_time) machine_.cycle_time = options_.cycle_time_otherwise;
   machine_.build = options_.build;
   machine_.readings = options_.readings;
   machine_.is_beside_start_up_list = options_.is_beside_start_up_list;

@@ -6,7 +6,6 @@ import type { Page } from './page';
 import { say } from './texts';
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
-const isEqual = (a: Uint8Array, b: Uint8Array): boolean => a.length === b.length && a.every((byte, i) => byte === b[i]);
 
 export class Actions {
   constructor(private readonly page: Page) {}
@@ -23,27 +22,19 @@ export class Actions {
     }
   }
 
-  /** Runs a command that writes files in place, and takes over the changed files. */
-  private async written(words: string[], paths: string[]): Promise<{ changed: string[]; err: string }> {
-    const outcome = await this.page.program.run({ words, wanted: paths });
-    const files = this.page.workspace.files;
-    const changed = new Map([...outcome.written].filter(([path, bytes]) => !isEqual(bytes, files.get(path)?.bytes ?? bytes)));
-    this.page.replaced(changed);
-    await this.page.check(false);
-    return { changed: [...changed.keys()], err: outcome.err };
-  }
-
   /** As `lint --fix` writes the files. */
   async fixAll(): Promise<void> {
-    const { changed } = await this.written(this.page.commands.checking('--fix'), this.page.workspace.paths);
-    this.page.tell(changed.length === 0 ? say('nothingToFix') : say('fixed', { files: changed.map(nameOf).join(', ') }));
+    const { result: changed } = await this.page.program.fix(this.page.workspace.whole);
+    this.page.replaced(changed);
+    await this.page.check(false);
+    this.page.tell(changed.length === 0 ? say('nothingToFix') : say('fixed', { files: changed.map(([path]) => nameOf(path)).join(', ') }));
   }
 
   /** As `fmt` writes the list. */
   async align(): Promise<void> {
-    const { shown } = this.page;
-    const { changed, err } = await this.written(['fmt', /^[-@]/.test(shown) ? `./${shown}` : shown], [shown]);
-    this.page.tell(changed.length === 0 ? err || say('isAligned') : say('aligned', { file: nameOf(shown) }));
+    const isChanged = await this.page.align();
+    await this.page.check(false);
+    this.page.tell(isChanged ? say('aligned', { file: nameOf(this.page.shown) }) : say('isAligned'));
   }
 
   download(): void {
@@ -59,17 +50,16 @@ export class Actions {
   }
 
   async compile(): Promise<void> {
-    const image = '/image.axim';
-    const outcome = await this.page.program.run({ words: this.page.commands.words('compile', '--quiet', '-o', image), wanted: [image] });
-    const bytes = outcome.written.get(image);
-    if (bytes) save(`${nameOf(this.page.commands.machine).replace(/\.\w+$/, '') || 'machine'}.axim`, bytes);
-    else this.page.said(outcome.err);
+    const { shown } = this.page;
+    const { result: bytes, error } = await this.page.program.compile(shown);
+    if (bytes.length > 0) save(`${nameOf(shown).replace(/\.\w+$/, '') || 'machine'}.axim`, bytes);
+    else this.page.said(error);
   }
 
   async share(): Promise<void> {
-    const { decoded, shown, commands } = this.page;
+    const { decoded, shown, cycleTime } = this.page;
     if (!decoded) return;
-    const fragment = await toFragment({ name: nameOf(shown), cycleTime: commands.cycleTime, text: decoded.text });
+    const fragment = await toFragment({ name: nameOf(shown), cycleTime, text: decoded.text });
     if (fragment === null) {
       this.page.tell(say('tooLong'));
       return;

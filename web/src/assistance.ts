@@ -20,7 +20,7 @@ function offsetOf(document: Text, { line, character }: Position): number {
   return Math.min(found.to, found.from + character);
 }
 
-function spanOf(document: Text, range: Range): { from: number; to: number } {
+export function spanOf(document: Text, range: Range): { from: number; to: number } {
   return { from: offsetOf(document, range.start), to: offsetOf(document, range.end) };
 }
 

@@ -1,5 +1,5 @@
 // One check after the other, until the present state has been checked.
-import { Interrupted, type Outcome } from './program';
+import { Interrupted, type Timed } from './program';
 
 export const reasonOf = (failure: unknown): string => (failure instanceof Error ? failure.message : String(failure));
 
@@ -10,7 +10,7 @@ export class Checks {
 
   constructor(
     /** Null if there is nothing to check any more. */
-    private readonly check: () => Promise<Outcome | null>,
+    private readonly check: () => Promise<Timed<string> | null>,
     private readonly failed: (failure: unknown) => void,
   ) {}
 
@@ -36,7 +36,7 @@ export class Checks {
   }
 
   /** For tests that measure the page. */
-  private finished(outcome: Outcome): void {
+  private finished(outcome: Timed<string>): void {
     const data = document.body.dataset;
     data['checked'] = String(Number(data['checked'] ?? 0) + 1);
     data['time'] = outcome.time.toFixed(1);

@@ -1,6 +1,6 @@
 // The language server of an instance: one for all requests, which is informed of all changes since the last
 // one.
-import { begin, take } from '../../cli/browser/server.mjs';
+import type { Axisc, Options } from '../interface/axisc.mjs';
 import { folder, whole, type Instance } from './instance';
 import type { Question } from './program';
 
@@ -15,7 +15,7 @@ const capabilities = { textDocument: { hover: { contentFormat: ['markdown'] }, c
 const anyChange = 2;
 
 export class Conversation {
-  private words = '';
+  private workspace: Axisc | null = null;
   private open: { uri: string; text: string } | null = null;
   private version = 0;
   private last = 0;
@@ -23,21 +23,20 @@ export class Conversation {
   constructor(private readonly instance: Instance) {}
 
   /** `changed`: the files that have changed since the last request. */
-  ask({ words, path, text, method, more }: Question, changed: Iterable<string>): unknown {
-    const messages = [...this.start(words), ...this.changes(changed), ...this.turn(addressOf(path), text)];
+  ask(options: Options, { path, text, method, more }: Question, changed: Iterable<string>): unknown {
+    const workspace = this.instance.workspace(options);
+    const messages = [...this.start(workspace), ...this.changes(changed), ...this.turn(addressOf(path), text)];
     const id = ++this.last;
     messages.push({ id, method: `textDocument/${method}`, params: { textDocument: { uri: addressOf(path) }, ...more } });
-    const sent = take(this.instance.program, ...messages.map((message) => ({ jsonrpc: '2.0', ...message }))) as Message[];
+    const sent = workspace.message(...messages.map((message) => ({ jsonrpc: '2.0', ...message }))) as Message[];
     const reply = sent.find((message) => message.id === id);
-    if (reply === undefined || reply.error) throw new Error(reply?.error?.message ?? this.instance.complaint);
+    if (reply === undefined || reply.error) throw new Error(reply?.error?.message ?? method);
     return reply.result;
   }
 
-  /** A server with other options is another server. */
-  private start(words: string[]): object[] {
-    if (words.join(' ') === this.words) return [];
-    if (!begin(this.instance.program, words)) throw new Error(this.instance.complaint);
-    this.words = words.join(' ');
+  private start(workspace: Axisc): object[] {
+    if (workspace === this.workspace) return [];
+    this.workspace = workspace;
     this.open = null;
     const params = { capabilities, rootUri: `file://${folder}` };
     return [{ id: ++this.last, method: 'initialize', params }, { method: 'initialized', params: {} }];

@@ -2,14 +2,14 @@
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { search, searchKeymap } from '@codemirror/search';
-import { EditorState, type ChangeSet, type Text } from '@codemirror/state';
+import { EditorState, Text, type ChangeSet } from '@codemirror/state';
 import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
-import { assistance, refreshHints } from './assistance';
+import { assistance, refreshHints, spanOf } from './assistance';
 import { range } from './edits';
 import { joined, lines, usualEnd } from './encoding';
 import type { Edit, Finding, Place } from './findings';
 import { axisList } from './language';
-import type { Server } from './server';
+import type { Server, TextEdit } from './server';
 import { say } from './texts';
 
 export interface EditorEvents {
@@ -140,6 +140,13 @@ export class Editor {
     const document = this.view.state.doc;
     this.view.dispatch({ changes: edits.map((edit) => ({ ...range(document, edit), insert: edit.text })) });
     this.view.focus();
+  }
+
+  /** Edits of the language server, as one change. */
+  change(edits: readonly TextEdit[]): void {
+    const document = this.view.state.doc;
+    const insert = (text: string): Text => Text.of(text.split(/\r\n?|\n/));
+    this.view.dispatch({ changes: edits.map(({ range, newText }) => ({ ...spanOf(document, range), insert: insert(newText) })) });
   }
 
   focus(): void {

@@ -1,33 +1,20 @@
-// An instance of the program's module, with streams of its own and the files of the page. It runs one command
-// after the other.
-import type { Program as Module } from '../../cli/browser/server.mjs';
-import { Stream } from './stream';
+// An instance of the program's module, with the files of the page, and a workspace of the library in it.
+import { Axisc, type Options, type Outcome, type Program as Module } from '../interface/axisc.mjs';
+import type { Call, Changed } from './program';
 
 interface Program extends Module {
   FS: {
-    init(input: () => number | null, output: (byte: number | null) => void, error: (byte: number | null) => void): void;
     mkdirTree(path: string): void;
     readdir(path: string): string[];
     rmdir(path: string): void;
     writeFile(path: string, bytes: Uint8Array): void;
-    readFile(path: string): Uint8Array;
     unlink(path: string): void;
     analyzePath(path: string): { exists: boolean };
     chdir(path: string): void;
   };
-  ENV: Record<string, string>;
-  callMain(words: string[]): number | undefined;
-  stackSave(): number;
-  stackRestore(top: number): void;
 }
 
 declare function createAxisc(options: object): Promise<Program>;
-
-interface Streams {
-  out: Stream;
-  err: Stream;
-  status: number;
-}
 
 export const folder = '/work';
 /** Where a file of the page is. */
@@ -36,10 +23,10 @@ const above = (path: string): string => path.slice(0, path.lastIndexOf('/'));
 
 export class Instance {
   private readonly files = new Map<string, Uint8Array>();
+  private opened: { options: string; workspace: Axisc } | null = null;
 
   private constructor(
     readonly program: Program,
-    private readonly streams: Streams,
     private readonly memory: WebAssembly.Memory,
   ) {
     program.FS.mkdirTree(folder);
@@ -47,8 +34,6 @@ export class Instance {
   }
 
   static async create(compiled: WebAssembly.Module): Promise<Instance> {
-    const streams = { out: new Stream(), err: new Stream(), status: 0 };
-    const leave = (code: number): void => void (streams.status = code);
     let exported: unknown[] = [];
     const program = await createAxisc({
       instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
@@ -58,19 +43,10 @@ export class Instance {
         });
         return {};
       },
-      preRun: [
-        (module: Program) => {
-          module.FS.init(() => null, (byte) => streams.out.write(byte), (byte) => streams.err.write(byte));
-          for (const name of Object.keys(module.ENV)) delete module.ENV[name];
-          Object.assign(module.ENV, { LANG: 'C.UTF-8', NO_COLOR: '1' });
-        },
-      ],
-      onExit: leave,
-      quit: leave,
     });
     const memory = exported.find((one): one is WebAssembly.Memory => one instanceof WebAssembly.Memory);
     if (memory === undefined) throw new Error('axisc.wasm');
-    return new Instance(program, streams, memory);
+    return new Instance(program, memory);
   }
 
   /** Bytes that it occupies; they never become fewer. */
@@ -100,25 +76,27 @@ export class Instance {
     for (let parent = above(whole(path)); parent !== '' && parent !== folder && isEmpty(parent); parent = above(parent)) FS.rmdir(parent);
   }
 
-  /** Runs a command. Files that it writes to the `wanted` paths are taken out of the file system. */
-  run(words: string[], wanted: string[]) {
-    const { program, streams } = this;
-    Object.assign(streams, { out: new Stream(), err: new Stream(), status: 0 });
-    // callMain() leaves the arguments on the stack.
-    const top = program.stackSave();
-    const status = program.callMain(words) ?? streams.status;
-    program.stackRestore(top);
-    const written: [string, Uint8Array][] = [];
-    for (const path of wanted) {
-      if (!program.FS.analyzePath(whole(path)).exists) continue;
-      written.push([path, program.FS.readFile(whole(path))]);
-      this.remove(path);
+  /** Another language or cycle time is another workspace. */
+  workspace(options: Options): Axisc {
+    const wanted = JSON.stringify(options);
+    if (this.opened?.options !== wanted) {
+      this.opened?.workspace.close();
+      this.opened = null;
+      const workspace = new Axisc(this.program, options);
+      if (workspace.error !== '') throw new Error(workspace.error.trim());
+      this.opened = { options: wanted, workspace };
     }
-    return { status, out: streams.out.written(), err: streams.err.written(), written };
+    return this.opened.workspace;
   }
 
-  /** The output on standard error since the last run began. */
-  get complaint(): string {
-    return new TextDecoder().decode(this.streams.err.written());
+  call(options: Options, call: Call): Outcome<unknown> {
+    const workspace = this.workspace(options);
+    if (call.name === 'answer') return workspace.answer(call.question);
+    if (call.name === 'check') return workspace.check(call.path);
+    if (call.name === 'compile') return workspace.compile(call.path);
+    const { status, result: paths, error } = workspace.fix(call.path);
+    const result: Changed = paths.map((path) => [path, workspace.read(path)]);
+    for (const path of paths) workspace.drop(path);
+    return { status, result, error };
   }
 }

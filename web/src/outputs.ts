@@ -86,12 +86,13 @@ export class Outputs {
   }
 
   private async machine(isLast: () => boolean): Promise<void> {
-    const outcome = await this.page.program.run({ words: this.page.commands.words('machine') });
-    const contour = outcome.status === 0 ? await this.page.program.run({ words: this.page.commands.words('contour') }) : null;
+    const input = this.page.shown;
+    const outcome = await this.page.program.answer({ question: 'machine', input });
+    const contour = outcome.status === 0 ? await this.page.program.answer({ question: 'contour', input }) : null;
     if (!isLast()) return;
-    byId('machine-text').replaceChildren(...this.linked(outcome.out || outcome.err));
-    byId('contour').hidden = contour === null || contour.out === '';
-    byId('contour-text').textContent = contour?.out ?? '';
+    byId('machine-text').replaceChildren(...this.linked(outcome.result || outcome.error));
+    byId('contour').hidden = !contour?.result;
+    byId('contour-text').textContent = contour?.result ?? '';
   }
 
   /** Names of files lead to them. */
@@ -104,12 +105,12 @@ export class Outputs {
   }
 
   private async report(isLast: () => boolean): Promise<void> {
-    const outcome = await this.page.program.run({ words: this.page.commands.words('report', '-o', '-') });
+    const outcome = await this.page.program.answer({ question: 'report', input: this.page.shown });
     if (!isLast()) return;
-    this.html = outcome.out;
+    this.html = outcome.result;
     const trouble = byId('report-trouble');
     trouble.hidden = this.html !== '';
-    trouble.textContent = outcome.err;
+    trouble.textContent = outcome.error;
     byId<HTMLButtonElement>('save-report').disabled = this.html === '';
     if (this.reportUrl) URL.revokeObjectURL(this.reportUrl);
     this.reportUrl = URL.createObjectURL(new Blob([this.html], { type: 'text/html' }));

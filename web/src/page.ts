@@ -1,6 +1,5 @@
 // The open files, and the program's answers about them.
 import { Checks, reasonOf } from './checks';
-import { Commands } from './commands';
 import { Editor } from './editor';
 import { byId } from './elements';
 import type { Decoded } from './encoding';
@@ -9,17 +8,17 @@ import { firstFiles } from './first';
 import type { Incoming } from './incoming';
 import { fromFragment } from './link';
 import { Outputs } from './outputs';
-import { Program, type Outcome, type Started } from './program';
+import { Program, type Changed, type Started, type Timed } from './program';
 import { Server } from './server';
 import { currentLanguage, say } from './texts';
 import { Workspace } from './workspace';
 
 export class Page {
   readonly program: Program;
-  readonly commands = new Commands(this);
   workspace = new Workspace();
   shown = '';
   decoded: Decoded | null = null;
+  private readonly server: Server;
   private readonly editor: Editor;
   private readonly outputs: Outputs;
   private findings: Finding[] = [];
@@ -30,11 +29,16 @@ export class Page {
   );
 
   constructor(started: Started) {
-    this.program = new Program(started);
-    const server = new Server(this.program, () => this.decoded && { path: this.shown, text: this.decoded.text, words: this.commands.settings(this.shown) });
+    this.program = new Program(started, () => ({ language: currentLanguage(), cycle_time: this.cycleTime }));
+    this.server = new Server(this.program, () => this.decoded && { path: this.shown, text: this.decoded.text });
     const events = { changed: (text: string) => this.edited(text), fix: (finding: Finding) => this.fix(finding) };
-    this.editor = new Editor(byId('editor'), events, server);
+    this.editor = new Editor(byId('editor'), events, this.server);
     this.outputs = new Outputs(this);
+  }
+
+  /** Where no file says one. */
+  get cycleTime(): string {
+    return byId<HTMLInputElement>('cycle-time').value.trim();
   }
 
   async begin(): Promise<void> {
@@ -98,16 +102,16 @@ export class Page {
     return this.checks.again();
   }
 
-  private async checkOnce(): Promise<Outcome | null> {
+  private async checkOnce(): Promise<Timed<string> | null> {
     const workspace = this.workspace;
-    const outcome = await this.program.run({ words: this.commands.checking('--format', 'json') });
+    const outcome = await this.program.check(workspace.whole);
     if (workspace !== this.workspace) return null;
-    this.findings = outcome.out.startsWith('{') ? findingsIn(outcome.out) : [];
+    this.findings = outcome.result === '' ? [] : findingsIn(outcome.result);
     const worst = this.findings.find((finding) => finding.severity === 'error') ?? this.findings[0];
     if (!this.isChosen && worst && this.workspace.files.has(worst.file) && worst.file !== this.shown) this.show(worst.file);
     else this.render();
     this.isChosen = true;
-    if (outcome.status === 2) this.tell(outcome.err);
+    if (outcome.status === 2) this.tell(outcome.error);
     this.outputs.refresh();
     return outcome;
   }
@@ -118,8 +122,8 @@ export class Page {
 
   /** A page of Markdown, or the output of a command, over the others. */
   async explain(code: string): Promise<void> {
-    const outcome = await this.program.run({ words: ['explain', '--lang', currentLanguage(), code] });
-    this.outputs.open(outcome.out || outcome.err);
+    const outcome = await this.program.answer({ question: 'explain', word: code, format: 'markdown' });
+    this.outputs.open(outcome.result || outcome.error);
   }
 
   said(text: string): void {
@@ -161,11 +165,18 @@ export class Page {
   }
 
   /** Files that the program wrote. */
-  replaced(written: Map<string, Uint8Array>): void {
+  replaced(written: Changed): void {
     for (const [path, bytes] of written) this.program.update([[path, this.workspace.put(path, bytes)]]);
-    if (!written.has(this.shown)) return;
+    if (written.every(([path]) => path !== this.shown)) return;
     this.decoded = this.workspace.text(this.shown);
     this.editor.replace(this.decoded?.text ?? '');
+  }
+
+  /** The shown list, aligned; false where it was already. */
+  async align(): Promise<boolean> {
+    const edits = await this.server.format();
+    if (edits.length > 0) this.editor.change(edits);
+    return edits.length > 0;
   }
 
   /** In another language. */

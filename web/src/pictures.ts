@@ -4,7 +4,7 @@ import type { Desk } from './desk';
 import { Picture } from './picture';
 import { say } from './texts';
 
-/** The subject of a kind, in addition to the machine, as `axisc plot` expects it. */
+/** The subject of a kind, in addition to the machine. */
 interface Kind {
   of: 'axes' | 'contour' | 'program' | 'plant';
 }
@@ -57,43 +57,43 @@ export class Pictures {
     const name = this.kind.value as KindName;
     const { of } = kinds[name];
     this.offer(of, axes);
-    const words = ['--kind', name, '--format', 'svg', '-o', '-', ...this.wordsOf(of)];
-    const outcome = await this.page.program.run({ words: this.page.commands.words('plot', ...words) });
+    const question = { question: 'picture', kind: name, input: this.page.shown, ...this.subject(of) };
+    const outcome = await this.page.program.answer(question);
     if (!isLast()) return;
-    this.svg = outcome.out;
+    this.svg = outcome.result;
     const trouble = byId('picture-trouble');
     trouble.hidden = this.svg !== '';
-    trouble.textContent = outcome.err.trim();
+    trouble.textContent = outcome.error.trim();
     byId<HTMLButtonElement>('save-picture').disabled = this.svg === '';
     if (this.svg === '') this.picture.clear();
     else this.picture.show(this.svg, say(name));
   }
 
   private async axes(): Promise<string[]> {
-    const outcome = await this.page.program.run({ words: this.page.commands.words('machine', '--format', 'json') });
-    if (!outcome.out.startsWith('{')) return [];
-    return ((JSON.parse(outcome.out) as { axes?: { name: string }[] }).axes ?? []).map((axis) => axis.name);
+    const outcome = await this.page.program.answer({ question: 'machine', input: this.page.shown, format: 'json' });
+    if (outcome.result === '') return [];
+    return ((JSON.parse(outcome.result) as { axes?: { name: string }[] }).axes ?? []).map((axis) => axis.name);
   }
 
   /** The choices that a kind has. */
   private offer(of: Kind['of'], axes: readonly string[]): void {
-    const { plants, paths } = this.page.workspace;
+    const { paths } = this.page.workspace;
     // One axis moves with its plant; all may be drawn over one another.
     fill(this.axis, [...(of === 'plant' ? [] : [['', say('everyAxis')] as const]), ...axes.map(same)]);
     fill(this.program, paths.filter((path) => /\.nc$/i.test(path)).map(same));
-    fill(this.plant, plants.map(same));
+    fill(this.plant, paths.filter((path) => /\.json$/i.test(path)).map(same));
     byId('axis-line').hidden = of === 'contour' || of === 'program';
     byId('program-line').hidden = of !== 'program';
     for (const id of ['plant-line', 'travel-line', 'feed-line']) byId(id).hidden = of !== 'plant';
     byId('before-line').hidden = of === 'program' || of === 'plant';
   }
 
-  private wordsOf(of: Kind['of']): string[] {
-    const named = (option: string, value: string): string[] => (value === '' ? [] : [option, value]);
-    const before = this.before.checked ? ['--before', `/before/${this.page.commands.machine.replace(/^\.\//, '')}`] : [];
-    if (of === 'program') return named('--program', this.program.value);
-    if (of === 'plant') return [...named('--plant', this.plant.value), ...named('--move', this.move)];
-    return of === 'axes' ? [...named('--axis', this.axis.value), ...before] : before;
+  private subject(of: Kind['of']): Record<string, string | undefined> {
+    const named = (value: string): string | undefined => (value === '' ? undefined : value);
+    if (of === 'program') return { program: named(this.program.value) };
+    if (of === 'plant') return { plant: named(this.plant.value), move: named(this.move) };
+    const before = this.before.checked ? `/before/${this.page.shown}` : undefined;
+    return of === 'axes' ? { axis: named(this.axis.value), before } : { before };
   }
 
   /** There and back, as fast as the axis may without a feed rate. */

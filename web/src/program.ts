@@ -1,24 +1,13 @@
 // The program in its worker, with the files that the page holds.
-export interface Outcome {
-  status: number;
-  out: string;
-  err: string;
-  /** The requested files that the run wrote. */
-  written: Map<string, Uint8Array>;
-  /** Milliseconds in the worker. */
-  time: number;
-}
+import type { Options, Outcome } from '../interface/axisc.mjs';
 
-export interface Run {
-  words: string[];
-  /** Paths that are read after the run. */
-  wanted?: string[];
-}
+/** What is asked of the library (axisc.h). */
+export type Call =
+  | { name: 'check' | 'fix' | 'compile'; path: string }
+  | { name: 'answer'; question: Record<string, string | undefined> };
 
 /** A request to the language server about a list. */
 export interface Question {
-  /** Options of the server: language and cycle time. */
-  words: string[];
   path: string;
   text: string;
   /** Without its `textDocument/`. */
@@ -27,16 +16,19 @@ export interface Question {
   more: object;
 }
 
+/** Files that a repair changed. */
+export type Changed = [string, Uint8Array][];
+
 /** From the page to the worker. */
 export type Request =
   | { kind: 'files'; set: [string, Uint8Array][]; removed: string[] }
-  | { kind: 'run'; id: number; words: string[]; wanted: string[] }
-  | { kind: 'ask'; id: number; question: Question };
+  | { kind: 'call'; id: number; options: Options; call: Call }
+  | { kind: 'ask'; id: number; options: Options; question: Question };
 
 /** And back. */
 export type Answer =
   | { kind: 'ready' }
-  | { kind: 'done'; id: number; status: number; out: Uint8Array; err: Uint8Array; written: [string, Uint8Array][]; time: number }
+  | { kind: 'done'; id: number; outcome: Outcome<unknown>; time: number }
   | { kind: 'told'; id: number; result: unknown }
   | { kind: 'failed'; id: number | null; reason: string };
 
@@ -45,6 +37,9 @@ export interface Started {
   worker: Worker;
   early: MessageEvent<Answer>[];
 }
+
+/** With the milliseconds in the worker. */
+export type Timed<Result> = Outcome<Result> & { time: number };
 
 type Settled = Exclude<Answer, { kind: 'ready' | 'failed' }>;
 
@@ -66,7 +61,10 @@ export class Program {
   private last = 0;
   ready: Promise<void>;
 
-  constructor({ worker, early }: Started) {
+  constructor(
+    { worker, early }: Started,
+    private readonly options: () => Options,
+  ) {
     this.worker = worker;
     this.ready = this.listen(early);
   }
@@ -98,7 +96,7 @@ export class Program {
     this.worker.postMessage(request);
   }
 
-  /** Gives files to the runs that follow, or takes them away. */
+  /** Gives files to the calls that follow, or takes them away. */
   update(set: [string, Uint8Array][], removed: string[] = []): void {
     for (const path of removed) this.files.delete(path);
     for (const [path, bytes] of set) this.files.set(path, bytes);
@@ -116,17 +114,33 @@ export class Program {
     this.send({ kind: 'files', set: [...this.files], removed: [] });
   }
 
-  async run({ words, wanted = [] }: Run): Promise<Outcome> {
-    const answer = await this.request((id) => ({ kind: 'run', id, words, wanted }));
+  /** Findings as JSON. */
+  check(path: string): Promise<Timed<string>> {
+    return this.call({ name: 'check', path });
+  }
+
+  fix(path: string): Promise<Timed<Changed>> {
+    return this.call({ name: 'fix', path });
+  }
+
+  /** An image. */
+  compile(path: string): Promise<Timed<Uint8Array>> {
+    return this.call({ name: 'compile', path });
+  }
+
+  answer(question: Record<string, string | undefined>): Promise<Timed<string>> {
+    return this.call({ name: 'answer', question });
+  }
+
+  private async call<Result>(call: Call): Promise<Timed<Result>> {
+    const answer = await this.request((id) => ({ kind: 'call', id, options: this.options(), call }));
     if (answer.kind !== 'done') throw new Error(answer.kind);
-    const decoder = new TextDecoder();
-    const { status, out, err, written, time } = answer;
-    return { status, out: decoder.decode(out), err: decoder.decode(err), written: new Map(written), time };
+    return { ...(answer.outcome as Outcome<Result>), time: answer.time };
   }
 
   /** The answer of the language server; null where it has none. */
   async ask(question: Question): Promise<unknown> {
-    const answer = await this.request((id) => ({ kind: 'ask', id, question }));
+    const answer = await this.request((id) => ({ kind: 'ask', id, options: this.options(), question }));
     if (answer.kind !== 'told') throw new Error(answer.kind);
     return answer.result;
   }

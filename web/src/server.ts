@@ -11,13 +11,18 @@ export interface Range {
   end: Position;
 }
 
+export interface TextEdit {
+  range: Range;
+  newText: string;
+}
+
 export interface Proposal {
   label: string;
   kind?: number;
   detail?: string;
   documentation?: string | { value: string };
   preselect?: boolean;
-  textEdit?: { range: Range; newText: string };
+  textEdit?: TextEdit;
 }
 
 export interface Hint {
@@ -29,8 +34,6 @@ export interface Hint {
 export interface Asked {
   path: string;
   text: string;
-  /** Options of the server: language and cycle time. */
-  words: string[];
 }
 
 export class Server {
@@ -54,6 +57,11 @@ export class Server {
   async complete(position: Position): Promise<Proposal[]> {
     const result = await this.request<Proposal[] | { items: Proposal[] }>('completion', { position });
     return Array.isArray(result) ? result : (result?.items ?? []);
+  }
+
+  /** What aligns the list. */
+  async format(): Promise<TextEdit[]> {
+    return (await this.request<TextEdit[]>('formatting', { options: { tabSize: 2, insertSpaces: true } })) ?? [];
   }
 
   async hints(lines: number): Promise<Hint[]> {

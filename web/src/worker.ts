@@ -26,11 +26,11 @@ class Service {
   do(request: Exclude<Request, { kind: 'files' }>): Answer {
     const start = performance.now();
     for (const path of this.instance.update(files)) this.changed.add(path);
-    if (request.kind === 'run') {
-      const done = this.instance.run(request.words, request.wanted);
-      return { kind: 'done', id: request.id, ...done, time: performance.now() - start };
+    if (request.kind === 'call') {
+      const outcome = this.instance.call(request.options, request.call);
+      return { kind: 'done', id: request.id, outcome, time: performance.now() - start };
     }
-    const result = this.conversation.ask(request.question, this.changed);
+    const result = this.conversation.ask(request.options, request.question, this.changed);
     this.changed.clear();
     return { kind: 'told', id: request.id, result };
   }

@@ -10,11 +10,6 @@ export interface WorkFile {
 }
 
 export const largestShown = 4 * 1024 * 1024;
-const description = /(^|\/)(hochlauf[^/]*\.(lis|xml)|(?!axisc\.json$)[^/]*\.json|[^/]*\.(tsproj|xti))$/i;
-
-/** A name that the program takes neither for an option nor for a response file. */
-const named = (path: string): string => (/^[-@]/.test(path) ? `./${path}` : path);
-
 export class Workspace {
   readonly files = new Map<string, WorkFile>();
 
@@ -26,39 +21,10 @@ export class Workspace {
     return [...this.files.keys()].sort();
   }
 
-  /** The one folder that everything is in; empty for single files. */
-  private get root(): string {
-    const folders = new Set(this.paths.map((path) => path.slice(0, Math.max(0, path.indexOf('/')))));
-    return folders.size === 1 ? ([...folders][0] as string) : '';
-  }
-
-  /** Files that describe a machine, cycle time included. */
-  get descriptions(): string[] {
-    const plants = this.plants;
-    return this.paths.filter((path) => description.test(path) && !plants.includes(path));
-  }
-
-  /** Files that describe drives and mechanics, whatever their names. */
-  get plants(): string[] {
-    return this.paths.filter((path) => /\.json$/i.test(path) && /"plants"\s*:/.test(this.text(path)?.text ?? ''));
-  }
-
-  /** The input of `lint`: the folder, or each file. */
-  get checked(): string[] {
-    if (this.root !== '') return [named(this.root)];
-    // Plants and settings are read by the commands that need them.
-    const others = [...this.plants, 'axisc.json'];
-    const known = this.paths.filter((path) => /\.(lis|nc|json|xml|tsproj|xti)$/i.test(path) && !others.includes(path));
-    return (known.length > 0 ? known : this.paths).map(named);
-  }
-
-  /** The input of commands about one machine, while `shown` is looked at: its machine, or the list alone. */
-  machineOf(shown: string): string {
-    const descriptions = this.descriptions;
-    const above = descriptions.filter((path) => path === shown || shown.startsWith(path.slice(0, path.lastIndexOf('/') + 1)));
-    if (descriptions.length === 0 || (above.length === 0 && /\.(lis|xml)$/i.test(shown))) return named(shown);
-    if (descriptions.length === 1 && this.root !== '') return named(this.root);
-    return named(above.sort((a, b) => b.length - a.length)[0] ?? (descriptions[0] as string));
+  /** What is checked: the only file, or everything. */
+  get whole(): string {
+    const paths = this.paths;
+    return paths.length === 1 ? (paths[0] as string) : '.';
   }
 
   get changed(): WorkFile[] {

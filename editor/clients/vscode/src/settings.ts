@@ -1,8 +1,12 @@
 import * as vscode from 'vscode';
 
 /** What the program is started with: the language of the editor, for settings that name none. */
+export function ownLanguage(): 'de' | 'en' {
+  return vscode.env.language.startsWith('de') ? 'de' : 'en';
+}
+
 export function serverArguments(): string[] {
-  return ['lsp', '--lang', vscode.env.language.startsWith('de') ? 'de' : 'en'];
+  return ['lsp', '--lang', ownLanguage()];
 }
 
 /** The settings at the start, so that the first findings are right. The server asks for them again when they change. */

@@ -1,5 +1,5 @@
 // build/wasm/bin/axisc.js, as docs/webassembly.md describes it.
-import type { Program } from '../../../../../cli/browser/server.mjs';
+import type { Program } from '../../../../../web/interface/axisc.mjs';
 
 export interface Instance extends Program {
   FS: {
@@ -9,4 +9,4 @@ export interface Instance extends Program {
     analyzePath(path: string): { exists: boolean };
   };
 }
-export default function createAxisc(options: { wasmBinary: Uint8Array; printErr(line: string): void }): Promise<Instance>;
+export default function createAxisc(options: { wasmBinary: Uint8Array }): Promise<Instance>;

@@ -3,7 +3,7 @@ import * as vscode from 'vscode';
 import { BrowserMessageReader, BrowserMessageWriter, LanguageClient } from 'vscode-languageclient/browser';
 import { clientOptions } from '../client';
 import { end, run } from '../lifecycle';
-import { serverArguments } from '../settings';
+import { ownLanguage } from '../settings';
 import { filesOfWorkspace, stateOf } from './files';
 import type { Told } from './messages';
 import { fromServer, toServer } from './names';
@@ -21,8 +21,7 @@ async function begin(folder: vscode.Uri): Promise<LanguageClient> {
   worker = started;
   const tell = (message: Told) => started.postMessage(message);
   const program = await vscode.workspace.fs.readFile(vscode.Uri.joinPath(folder, 'axisc.wasm'));
-  const [, ...words] = serverArguments();
-  tell({ kind: 'begin', program, words });
+  tell({ kind: 'begin', program, language: ownLanguage() });
   (await filesOfWorkspace()).forEach(tell);
   const ofFolders = (vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.scheme);
   const options = clientOptions([...new Set([...ofFolders, 'file', 'vscode-vfs', 'untitled'])]);

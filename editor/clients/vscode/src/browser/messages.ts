@@ -4,8 +4,7 @@
 export interface Beginning {
   kind: 'begin';
   program: Uint8Array;
-  /** Those of `axisc lsp`. */
-  words: string[];
+  language: 'de' | 'en';
 }
 
 /** A file as it is now; without bytes, it is gone. */

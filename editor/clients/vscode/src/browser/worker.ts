@@ -1,18 +1,17 @@
 // The server: the program as WebAssembly, beside a file system in memory.
 import createAxisc, { type Instance } from 'axisc-program';
-import { begin, take } from '../../../../../cli/browser/server.mjs';
+import { Axisc } from '../../../../../web/interface/axisc.mjs';
 import { type Beginning, type FileState, isTold } from './messages';
 
 /** As JSON-RPC numbers it. */
 const invalidParams = -32602;
 
-const said: string[] = [];
 let program: Instance;
-let hasBegun = false;
+let workspace: Axisc;
 
-async function beginWith({ program: wasmBinary, words }: Beginning): Promise<void> {
-  program = await createAxisc({ wasmBinary, printErr: (line) => said.push(line) });
-  hasBegun = begin(program, words);
+async function beginWith({ program: wasmBinary, language }: Beginning): Promise<void> {
+  program = await createAxisc({ wasmBinary });
+  workspace = new Axisc(program, { language });
 }
 
 function keep({ path, bytes }: FileState): void {
@@ -30,13 +29,12 @@ interface Message {
 
 /** Answers messages that arrived together: the server checks only the last of several changes. */
 function answer(messages: Message[]): void {
-  if (hasBegun) {
-    for (const sent of take(program, ...messages)) postMessage(sent);
+  if (workspace.error === '') {
+    for (const sent of workspace.message(...messages)) postMessage(sent);
     return;
   }
   for (const { id } of messages) {
-    // The program was not started rightly: what it says of that is shown by the client.
-    if (id !== undefined) postMessage({ jsonrpc: '2.0', id, error: { code: invalidParams, message: said.join('\n') } });
+    if (id !== undefined) postMessage({ jsonrpc: '2.0', id, error: { code: invalidParams, message: workspace.error } });
   }
 }
 

@@ -1,0 +1,115 @@
+#include "axisc/answers/report/report_answer.hpp"
+
+#include "axisc/answers/difference/machine_difference.hpp"
+#include "axisc/answers/report/report_page.hpp"
+#include "axisc/checking/compilable.hpp"
+#include "axisc/checking/path_machine.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/workspace/inputs.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace axisc {
+
+namespace {
+
+/// The machine at `path`, and whatever else lies in a folder, in the order of `lint`; every finding is kept.
+/// None after errors.
+std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const& path,
+                                      std::vector<std::string> const& inputs, Workspace& workspace) {
+  std::optional<CheckedMachine> machine;
+  std::optional<Failure> refused;
+  for (auto const& input : inputs) {
+    SourceSet sources;
+    CheckedInput found;
+    auto judged = judge_input(workspace, input, found, [&](Finding&& finding, SourceSet const&) {
+      found.findings.push_back(std::move(finding));
+    });
+    if (found.failure) throw Failure(*found.failure);
+    for (auto const& finding : found.findings) add_finding(subject, finding, found.sources);
+    if (input != path) continue;
+    auto& result = judged.result;
+    refused = refusal(path, result, found.sources, subject.language);
+    if (!result.machine) continue;
+    if (!refused) require_cycle_time(path, result);
+    machine.emplace(CheckedMachine{.machine = *std::move(result.machine), .files = std::move(result.files)});
+  }
+  if (subject.counts.errors > 0) return std::nullopt;
+  // Without a machine the page could not say that it is ready.
+  if (refused) throw Failure(*refused);
+  return machine;
+}
+
+/// An earlier state beside the present one.
+struct Earlier {
+  std::unique_ptr<ComparedMachine> before, after;
+  std::optional<MachineDifference> difference = std::nullopt;
+  std::optional<image::RuntimeHost> host = std::nullopt;
+  std::optional<image::StepAnswers> steps = std::nullopt;
+
+  void read(Workspace& workspace, ReportQuestion const& question, ErrorSink const& errors) {
+    before = compared_machine(workspace, *question.before, errors);
+    after = compared_machine(workspace, question.input, errors);
+    if (!before || !after) return;
+    difference.emplace(compare_machines(*before, *after, false));
+    if (!before->image) return;
+    host.emplace(start_runtime(*question.before, *before->image));
+    steps.emplace(before->image->bytes.bytes(), before->image->contents);
+  }
+};
+
+}  // namespace
+
+std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion const& question,
+                                          ErrorSink const& errors, std::vector<Message>& notes) {
+  auto const& input = question.input;
+  ReportSubject subject{.input = input,
+                        .findings = {},
+                        .counts = {},
+                        .plots = {},
+                        .contour = question.contour,
+                        .language = question.language};
+  auto const path = machine_of_input(workspace, {.input = input, .alone = question.alone}).machine;
+  auto inputs =
+      expand_inputs({input}, [&](std::string const& file) { return workspace.settings().wants(file); });
+  if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
+  notes = std::move(inputs.notes);
+  bool const is_listed = std::find(inputs.paths.begin(), inputs.paths.end(), path) != inputs.paths.end();
+  if (!is_listed) {
+    inputs.paths = {path};
+    if (path != machine_input(input)) subject.input = path;
+  }
+  workspace.take(inputs);
+  auto const machine = checked(subject, path, inputs.paths, workspace);
+  std::optional<ImageFile> image;
+  std::optional<image::RuntimeHost> host;
+  Earlier old;
+  std::optional<ShownDifference> difference;
+  if (machine) {
+    image.emplace(image_of(machine->machine, input));
+    host.emplace(start_runtime(input, *image));
+    subject.machine = &machine->machine;
+    subject.plots.emplace(PlotSubject{.now = {.file = *image, .host = *host},
+                                      .before = std::nullopt,
+                                      .axes = chosen_axes(image->contents, std::nullopt),
+                                      .language = question.language});
+  }
+  if (question.before) {
+    old.read(workspace, question, errors);
+    if (!old.difference) return std::nullopt;
+    difference.emplace(
+        ShownDifference{.before = *question.before, .after = input, .difference = *old.difference});
+    subject.difference = &*difference;
+    if (subject.plots && old.host) {
+      subject.plots->before.emplace(
+          PlottedImage{.file = *old.before->image, .host = *old.host, .steps = &*old.steps});
+    }
+  }
+  return ReportAnswer{.page = report_page(subject),
+                      .counts = subject.counts,
+                      .files = machine ? machine->files : std::vector<std::string>()};
+}
+
+}  // namespace axisc

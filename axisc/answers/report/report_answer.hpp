@@ -1,0 +1,33 @@
+// The acceptance report of an input.
+#pragma once
+
+#include "axisc/answers/contour/contour_groups.hpp"
+#include "axisc/checking/machine_input.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc {
+
+struct ReportQuestion {
+  std::string input;                       ///< a list, a machine, or a folder with one machine
+  std::optional<std::string> before = {};  ///< an earlier state: adds every change and its effect
+  ContourRequest contour = {.feeds = {1000, 2000, 4000}, .tolerance_mm = {}};
+  bool alone = false;
+  Language language = Language::english;
+};
+
+struct ReportAnswer {
+  std::string page;  ///< HTML
+  FindingCounts counts;
+  std::vector<std::string> files = {};  ///< that the machine was read from
+};
+
+/// Of a list it is the page of its machine. None where the lists of the earlier state, or both, have errors that
+/// leave nothing to compare: `errors` takes them. Errors of the present state are part of the page. `notes`
+/// takes notes about files that are skipped. Failure for inputs that cannot be read, or are no machine.
+[[nodiscard]] std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion const& question,
+                                                        ErrorSink const& errors, std::vector<Message>& notes);
+
+}  // namespace axisc

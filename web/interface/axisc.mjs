@@ -1,0 +1,105 @@
+// axisc.h for JavaScript: a workspace of an instance of the program.
+
+const bytesOf = (program, address) => {
+  const [data, size] = program.HEAPU32.subarray(address >> 2, (address >> 2) + 2);
+  return program.HEAPU8.slice(data, data + size);
+};
+const textOf = (bytes) => new TextDecoder().decode(bytes);
+
+/** Calls `use` with the addresses of texts. Texts of any length: the stack of the program is small. */
+function withTexts(program, texts, use) {
+  const addresses = texts.map((text) => {
+    const size = program.lengthBytesUTF8(text) + 1;
+    const address = program._malloc(size);
+    program.stringToUTF8(text, address, size);
+    return address;
+  });
+  try {
+    return use(...addresses);
+  } finally {
+    for (const address of addresses) program._free(address);
+  }
+}
+
+/** Calls `use` with the address of a result, two words that the program fills; its status and bytes. */
+function withResult(program, use) {
+  const address = program._malloc(8);
+  program.HEAPU32.fill(0, address >> 2, (address >> 2) + 2);
+  try {
+    return { status: use(address), bytes: bytesOf(program, address) };
+  } finally {
+    program._axisc_free(address);
+    program._free(address);
+  }
+}
+
+export class Axisc {
+  #program;
+  #workspace = 0;
+
+  constructor(program, options = {}) {
+    this.#program = program;
+    const opened = program._malloc(4);
+    const status = withTexts(program, [JSON.stringify(options)], (text) => program._axisc_open(text, opened));
+    this.#workspace = program.HEAPU32[opened >> 2];
+    program._free(opened);
+    this.error = status === 0 ? '' : this.#error();
+    if (status !== 0) this.close();
+  }
+
+  close() {
+    if (this.#workspace !== 0) this.#program._axisc_close(this.#workspace);
+    this.#workspace = 0;
+  }
+
+  put(path, bytes) {
+    const program = this.#program;
+    const address = program._malloc(bytes.length + 1);
+    program.HEAPU8.set(bytes, address);
+    withTexts(program, [path], (name) => program._axisc_put(this.#workspace, name, address, bytes.length));
+    program._free(address);
+  }
+
+  drop(path) {
+    withTexts(this.#program, [path], (name) => this.#program._axisc_drop(this.#workspace, name));
+  }
+
+  read(path) {
+    const { status, result, error } = this.#call('read', path, (bytes) => bytes);
+    if (status !== 0) throw new Error(error);
+    return result;
+  }
+
+  check(path) {
+    return this.#call('check', path, textOf);
+  }
+
+  fix(path) {
+    return this.#call('fix', path, (bytes) => (bytes.length === 0 ? [] : JSON.parse(textOf(bytes))));
+  }
+
+  compile(path) {
+    return this.#call('compile', path, (bytes) => bytes);
+  }
+
+  answer(question) {
+    return this.#call('answer', JSON.stringify(question), textOf);
+  }
+
+  message(...messages) {
+    if (this.#workspace === 0) return [];
+    const { status, result, error } = this.#call('message', JSON.stringify(messages.map((message) => JSON.stringify(message))), textOf);
+    if (status !== 0) throw new Error(error);
+    return JSON.parse(result);
+  }
+
+  #call(name, text, take) {
+    const program = this.#program;
+    const { status, bytes } = withTexts(program, [text], (address) => withResult(program, (result) => program[`_axisc_${name}`](this.#workspace, address, result)));
+    return { status, result: take(bytes), error: status === 0 ? '' : this.#error() };
+  }
+
+  #error() {
+    return this.#program.UTF8ToString(this.#program._axisc_error(this.#workspace));
+  }
+}
