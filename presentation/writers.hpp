@@ -5,11 +5,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace axisc::presentation {
 
 enum class Format : std::uint8_t { text, json, csv, markdown, html };
+
+/// As people name them.
+inline std::initializer_list<std::pair<std::string_view, Format>> const formats = {
+    {"text", Format::text},
+    {"json", Format::json},
+    {"csv", Format::csv},
+    {"markdown", Format::markdown},
+    {"html", Format::html}};
 
 struct WriterOptions {
   Language language = Language::english;

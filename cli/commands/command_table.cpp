@@ -58,26 +58,26 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::array<CommandRow, 20> rows = {{{"lint", says::lint_meaning, lint},
-                                              {"fmt", says::fmt_meaning, fmt},
-                                              {"compile", says::compile_meaning, compile},
-                                              {"machine", says::machine_meaning, machine},
-                                              {"inspect", says::inspect_meaning, inspect},
-                                              {"run", says::run_meaning, run},
-                                              {"response", says::response_meaning, response},
-                                              {"plot", says::plot_meaning, plot},
-                                              {"report", says::report_meaning, report},
-                                              {"contour", says::contour_meaning, contour},
-                                              {"simulate", says::simulate_meaning, simulate},
-                                              {"suggest", says::suggest_meaning, suggest},
-                                              {"compare", says::compare_meaning, compare},
-                                              {"replay", says::replay_meaning, replay},
-                                              {"diff", says::diff_meaning, diff},
-                                              {"keygen", says::keygen_meaning, keygen},
-                                              {"sign", says::sign_meaning, sign},
-                                              {"explain", says::explain_meaning, explain},
-                                              {"schema", says::schema_meaning, schema},
-                                              {"lsp", says::lsp_meaning, lsp}}};
+constexpr std::array rows = {CommandRow{"lint", says::lint_meaning, lint},
+                             CommandRow{"fmt", says::fmt_meaning, fmt},
+                             CommandRow{"compile", says::compile_meaning, compile},
+                             CommandRow{"machine", says::machine_meaning, machine},
+                             CommandRow{"inspect", says::inspect_meaning, inspect},
+                             CommandRow{"run", says::run_meaning, run},
+                             CommandRow{"response", says::response_meaning, response},
+                             CommandRow{"plot", says::plot_meaning, plot},
+                             CommandRow{"report", says::report_meaning, report},
+                             CommandRow{"contour", says::contour_meaning, contour},
+                             CommandRow{"simulate", says::simulate_meaning, simulate},
+                             CommandRow{"suggest", says::suggest_meaning, suggest},
+                             CommandRow{"compare", says::compare_meaning, compare},
+                             CommandRow{"replay", says::replay_meaning, replay},
+                             CommandRow{"diff", says::diff_meaning, diff},
+                             CommandRow{"keygen", says::keygen_meaning, keygen},
+                             CommandRow{"sign", says::sign_meaning, sign},
+                             CommandRow{"explain", says::explain_meaning, explain},
+                             CommandRow{"schema", says::schema_meaning, schema},
+                             CommandRow{"lsp", says::lsp_meaning, lsp}};
 
 constexpr bool has_help(std::string_view command) {
   return std::find(help_folders.begin(), help_folders.end(), command) != help_folders.end();

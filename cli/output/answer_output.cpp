@@ -13,27 +13,12 @@ constexpr Sentence format_of_markdown{"output format (default: markdown)",
 
 namespace axisc::cli {
 
-void declare_format(CommandLine& command_line, presentation::Format& format, Tables tables) {
+void declare_format(CommandLine& command_line, presentation::Format& format) {
   using presentation::Format;
   SentenceRef const meaning = format == Format::csv        ? says::format_of_csv
                               : format == Format::markdown ? says::format_of_markdown
                                                            : says::format_of_text;
-  if (tables == Tables::some) {
-    command_line.choice("--format",
-                        {{"text", Format::text},
-                         {"json", Format::json},
-                         {"csv", Format::csv},
-                         {"markdown", Format::markdown},
-                         {"html", Format::html}},
-                        format, meaning);
-  } else {
-    command_line.choice("--format",
-                        {{"text", Format::text},
-                         {"json", Format::json},
-                         {"markdown", Format::markdown},
-                         {"html", Format::html}},
-                        format, meaning);
-  }
+  command_line.choice("--format", presentation::formats, format, meaning);
 }
 
 void print(presentation::Document const& answer, presentation::Format format, Invocation const& invocation,

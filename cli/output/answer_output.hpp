@@ -6,14 +6,10 @@
 #include "cli/options/invocation.hpp"
 #include "presentation/writers.hpp"
 
-#include <cstdint>
-
 namespace axisc::cli {
 
-enum class Tables : std::uint8_t { none, some };
-
-/// `--format text|json|csv|markdown|html`; csv where the answer has tables. The value before is the default.
-void declare_format(CommandLine& command_line, presentation::Format& format, Tables tables = Tables::some);
+/// `--format` with every format that answers have. The value before is the default.
+void declare_format(CommandLine& command_line, presentation::Format& format);
 
 void print(presentation::Document const& answer, presentation::Format format, Invocation const& invocation,
            CommandLine const& command_line);

@@ -38,8 +38,6 @@ namespace axisc::web {
 
 namespace {
 
-using presentation::Format;
-
 /// What is asked, as texts by key.
 class Asked {
  public:
@@ -82,16 +80,10 @@ class Asked {
   nlohmann::json values_;
 };
 
-constexpr std::array formats = {std::pair(std::string_view("text"), Format::text),
-                                std::pair(std::string_view("json"), Format::json),
-                                std::pair(std::string_view("csv"), Format::csv),
-                                std::pair(std::string_view("markdown"), Format::markdown),
-                                std::pair(std::string_view("html"), Format::html)};
-
 using Answer = std::optional<std::string>;
 
 std::string written(presentation::Document const& document, Asked const& asked, Language language) {
-  return presentation::write(document, asked.word("format", formats), {.language = language});
+  return presentation::write(document, asked.word("format", presentation::formats), {.language = language});
 }
 
 Answer machine(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
