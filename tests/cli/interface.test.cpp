@@ -150,6 +150,7 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
   CHECK(ask({{"question", "explain"}, {"word", "AX3005"}, {"format", "markdown"}}) ==
         run_axisc({"explain", "AX3005"}).out);
   CHECK(ask({{"question", "report"}, {"input", mill}}) == run_axisc({"report", mill, "-o", "-"}).out);
+  CHECK(ask({{"question", "machine_of"}, {"input", mill + "/x.lis"}}) == mill + "/machine.json");
   for (auto const* const kind : {"response", "step", "delay", "corner", "circle"}) {
     INFO(kind);
     CHECK(ask({{"question", "picture"}, {"input", mill}, {"kind", kind}}) ==
@@ -165,7 +166,7 @@ TEST_CASE("axisc.h says what is wrong with a question") {
     return opened.error();
   };
   CHECK(wrong("soon").find("JSON object") != std::string::npos);
-  CHECK(wrong(R"({"question": "weather"})").find("machine, contour, picture") != std::string::npos);
+  CHECK(wrong(R"({"question": "weather"})").find("machine, machine_of, contour") != std::string::npos);
   CHECK(wrong(R"({"question": "machine", "file": "x"})").find("\"file\"") != std::string::npos);
   CHECK(wrong(R"({"question": "machine", "input": 1})").find("\"input\"") != std::string::npos);
   CHECK(wrong(R"({"question": "picture", "input": ".", "kind": "cat"})").find("response, step") !=

@@ -48,11 +48,12 @@ int axisc_compile(axisc_workspace* workspace, char const* path, axisc_bytes* ima
 
 /* A JSON object: "question" names one of those below, "input" the file or folder it is about, which is judged
  * in its machine.
- *   machine   what it consists of                      "format"
- *   contour   what its filters do to a path            "format"
- *   picture   "kind" as `axisc plot` has them, "axis", "group", "before", "program", "plant", "move"; an SVG
- *   report    the acceptance report                    "before"; HTML
- *   explain   "word": a code, a parameter, a message   "format"
+ *   machine_of  the path of the machine that the file belongs to; its own if there is none
+ *   machine     what it consists of                      "format"
+ *   contour     what its filters do to a path            "format"
+ *   picture     "kind" as `axisc plot` has them, "axis", "group", "before", "program", "plant", "move"; an SVG
+ *   report      the acceptance report                    "before"; HTML
+ *   explain     "word": a code, a parameter, a message   "format"
  * "format" is text (default), json, csv, markdown or html. */
 int axisc_answer(axisc_workspace* workspace, char const* question, axisc_bytes* answer);
 

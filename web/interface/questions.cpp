@@ -96,6 +96,10 @@ Answer machine(Workspace& workspace, Asked const& asked, ErrorSink const& errors
   return written(machine_answer(std::get<validator::LoadedMachine>(loaded), sources), asked, errors.language);
 }
 
+Answer machine_of(Workspace& workspace, Asked const& asked, ErrorSink const& /*errors*/) {
+  return machine_of_input(workspace, {.input = asked.text("input")}).machine;
+}
+
 Answer contour(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
   auto const input = asked.text("input");
   auto const checked = checked_machine(workspace, {.input = input}, errors);
@@ -140,6 +144,7 @@ struct Question {
 
 constexpr std::array questions = {
     Question{.name = "machine", .keys = "input format", .answer = machine},
+    Question{.name = "machine_of", .keys = "input", .answer = machine_of},
     Question{.name = "contour", .keys = "input format", .answer = contour},
     Question{.name = "picture", .keys = "input kind axis group before program plant move", .answer = picture},
     Question{.name = "report", .keys = "input before", .answer = report},

@@ -52,11 +52,12 @@ export class Pictures {
   }
 
   async draw(isLast: () => boolean): Promise<void> {
-    const axes = await this.axes();
-    if (!isLast()) return;
     const name = this.kind.value as KindName;
     const { of } = kinds[name];
-    this.offer(of, axes);
+    const axes = await this.axes();
+    const { result: machine } = await this.page.program.answer({ question: 'machine_of', input: this.page.shown });
+    if (!isLast()) return;
+    this.offer(of, axes, machine);
     const question = { question: 'picture', kind: name, input: this.page.shown, ...this.subject(of) };
     const outcome = await this.page.program.answer(question);
     if (!isLast()) return;
@@ -76,12 +77,12 @@ export class Pictures {
   }
 
   /** The choices that a kind has. */
-  private offer(of: Kind['of'], axes: readonly string[]): void {
+  private offer(of: Kind['of'], axes: readonly string[], machine: string): void {
     const { paths } = this.page.workspace;
     // One axis moves with its plant; all may be drawn over one another.
     fill(this.axis, [...(of === 'plant' ? [] : [['', say('everyAxis')] as const]), ...axes.map(same)]);
     fill(this.program, paths.filter((path) => /\.nc$/i.test(path)).map(same));
-    fill(this.plant, paths.filter((path) => /\.json$/i.test(path)).map(same));
+    fill(this.plant, paths.filter((path) => /\.json$/i.test(path) && path !== machine).map(same));
     byId('axis-line').hidden = of === 'contour' || of === 'program';
     byId('program-line').hidden = of !== 'program';
     for (const id of ['plant-line', 'travel-line', 'feed-line']) byId(id).hidden = of !== 'plant';
