@@ -25,10 +25,10 @@ struct PathRule {
 struct CheckOptions {
   std::optional<design::CycleTime> cycle_time;  ///< from the command line; wins over a machine file's
   std::optional<design::CycleTime> cycle_time_otherwise = {};  ///< where the input says none
-  std::optional<machine::AxisType> axis_type;   ///< overrides kenngr.achs_typ of a list
-  design::Readings readings;                    ///< how the control computes its filters
-  std::optional<BuildVersion> build;            ///< of the control: newer features are AX2016
-  bool pedantic = false;                        ///< notes as well
+  std::optional<machine::AxisType> axis_type;                  ///< overrides kenngr.achs_typ of a list
+  design::Readings readings;                                   ///< how the control computes its filters
+  std::optional<BuildVersion> build;                           ///< of the control: newer features are AX2016
+  bool pedantic = false;                                       ///< notes as well
   std::vector<Code> disabled;
   /// Instead of those of the rules: a finding that is an error here prevents the machine and hides warnings.
   std::map<Code, Severity> severities;

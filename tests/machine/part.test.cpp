@@ -4,8 +4,8 @@
 #include "codegen/image_writer.hpp"
 #include "image/chain_figures.hpp"
 #include "image/step_answers.hpp"
-#include "machines.hpp"
 #include "support/catch.hpp"
+#include "tests/codegen/machines.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "image/runtime_host.hpp"
 
 #include "codegen/image_writer.hpp"
-#include "machines.hpp"
 #include "support/catch.hpp"
+#include "tests/codegen/machines.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "codegen/image_writer.hpp"
 #include "codegen/source_digest.hpp"
 #include "image/image_contents.hpp"
-#include "machines.hpp"
 #include "support/catch.hpp"
+#include "tests/codegen/machines.hpp"
 
 namespace axisc::codegen {
 namespace {
