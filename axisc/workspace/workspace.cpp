@@ -14,7 +14,11 @@ Workspace::Workspace(Overrides overrides)
 Workspace::Workspace(configuration::Files& disk, Overrides overrides)
     : disk_(disk), overrides_(std::move(overrides)), settings_(overrides_.schema_files) {}
 
+Workspace::Workspace(configuration::Files& disk, OptionsOf options)
+    : disk_(disk), ready_options_(std::move(options)) {}
+
 validator::CheckOptions Workspace::options_of(std::string const& path) {
+  if (ready_options_) return ready_options_(path);
   auto options = overrides_.options;
   if (auto const found = found_.find(path); found != found_.end()) {
     options.from_folder = true;

@@ -31,6 +31,8 @@ class Workspace {
   explicit Workspace(Overrides overrides = {});
   /// `disk` must outlive this object, and the machines of its answers: they read their NC programs again.
   explicit Workspace(configuration::Files& disk, Overrides overrides = {});
+  /// With the options of a caller that has applied the settings itself.
+  Workspace(configuration::Files& disk, OptionsOf options);
   Workspace(Workspace const&) = delete;
   Workspace& operator=(Workspace const&) = delete;
 
@@ -66,6 +68,7 @@ class Workspace {
   std::unique_ptr<configuration::Files> own_disk_;
   configuration::Files& disk_;
   Overrides overrides_;
+  OptionsOf ready_options_;  ///< null: overrides and settings
   SettingsFinder settings_;
   EditedBytes unsaved_;
   EditedFiles files_{unsaved_, disk_};

@@ -1,9 +1,11 @@
 #include "editor/capabilities/pages.hpp"
 
+#include "axisc/answers/contour/cascade_line.hpp"
 #include "axisc/answers/explain/explain_answer.hpp"
+#include "axisc/answers/figures/picture_answer.hpp"
 #include "axisc/answers/figures/script_digest.hpp"
 #include "axisc/answers/machine/machine_answer.hpp"
-#include "axisc/answers/report/machine_pages.hpp"
+#include "axisc/answers/report/report_answer.hpp"
 #include "axisc/asked/finding_codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/disk_files.hpp"
@@ -13,7 +15,9 @@
 #include "validator/engine/rule.hpp"
 #include "validator/loading/loader.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <variant>
 
@@ -21,6 +25,10 @@ namespace axisc::says {
 
 constexpr Sentence title_report{"Report: {machine}", "Bericht: {machine}"};
 constexpr Sentence title_machine{"Machine: {machine}", "Maschine: {machine}"};
+constexpr Sentence errors_first{"{machine} has errors: correct them first, they are among the problems",
+                                "{machine} hat Fehler: zuerst diese beheben, sie stehen unter den Problemen"};
+constexpr Sentence unknown_picture_kind{"no picture \"{kind}\": response, step, delay, corner or circle",
+                                        "kein Bild \"{kind}\": response, step, delay, corner oder circle"};
 constexpr Sentence unknown_rule{"no rule \"{code}\"", "keine Regel \"{code}\""};
 
 }  // namespace axisc::says
@@ -28,6 +36,9 @@ constexpr Sentence unknown_rule{"no rule \"{code}\"", "keine Regel \"{code}\""};
 namespace axisc::editor {
 
 namespace {
+
+/// The kinds of pictures that need nothing but the machine come first.
+constexpr std::ptrdiff_t drawn_without_more = 5;
 
 Page machine_page(PageSubject const& subject) {
   auto const language = subject.language;
@@ -65,10 +76,6 @@ Page page(PageSubject const& subject) {
   }
 }
 
-MachinePages pages_of(PageSubject const& subject) {
-  return {subject.files, subject.machine, subject.options(subject.machine), subject.language};
-}
-
 /// With the digest of the program's own script.
 Page with_script(std::string title, std::string html, Language language) {
   return {.title = std::move(title),
@@ -76,16 +83,50 @@ Page with_script(std::string title, std::string html, Language language) {
           .script_digests = {script_digest(pictures::page_script(language))}};
 }
 
+/// Those of a check that makes the machine, too.
+OptionsOf options_of(PageSubject const& subject) {
+  return [&subject](std::string const& path) {
+    auto options = subject.options(path);
+    options.machine = true;
+    return options;
+  };
+}
+
+/// The client lists them anyway.
+ErrorSink no_errors(PageSubject const& subject) {
+  return {.language = subject.language, .take = [](std::vector<Finding> const&, SourceSet const&) {}};
+}
+
 Page report_of_machine(PageSubject const& subject) {
   auto const name = std::string(validator::file_name(subject.machine));
-  return with_script(say(says::title_report, subject.language, {{"machine", name}}),
-                     pages_of(subject).report(), subject.language);
+  Workspace workspace(subject.files, options_of(subject));
+  std::vector<Message> notes;
+  auto report = report_answer(
+      workspace, {.input = subject.machine, .name = name, .alone = true, .language = subject.language},
+      no_errors(subject), notes);
+  return with_script(say(says::title_report, subject.language, {{"machine", name}}), std::move(report->page),
+                     subject.language);
 }
 
 Page plot_of_machine(PageSubject const& subject) {
-  auto const kind = subject.words.empty() ? std::string("response") : subject.words.front();
-  auto const figure = pages_of(subject).figure(kind, subject.axis);
-  return with_script(figure.title, pictures::page(figure, subject.language), subject.language);
+  auto const word = subject.words.empty() ? std::string("response") : subject.words.front();
+  auto const* const last = picture_kinds.begin() + drawn_without_more;
+  auto const* const kind =
+      std::find_if(picture_kinds.begin(), last, [&word](auto const& row) { return row.first == word; });
+  if (kind == last) throw Failure({.sentence = says::unknown_picture_kind, .arguments = {{"kind", word}}});
+  Workspace workspace(subject.files, options_of(subject));
+  PictureQuestion question;
+  question.input = subject.machine;
+  question.kind = kind->second;
+  question.alone = true;
+  question.axis = kind->second == PictureKind::delay ? std::nullopt : subject.axis;
+  question.language = subject.language;
+  auto const figure = picture_answer(workspace, question, no_errors(subject));
+  if (!figure) {
+    throw Failure({.sentence = says::errors_first,
+                   .arguments = {{"machine", std::string(validator::file_name(subject.machine))}}});
+  }
+  return with_script(figure->title, pictures::page(*figure, subject.language), subject.language);
 }
 
 constexpr std::array commands = {PageCommand{.name = "axisc.report", .page = page<report_of_machine>},
@@ -101,7 +142,8 @@ std::span<PageCommand const> page_commands() {
 
 std::string cascade_line(PageSubject const& subject) {
   try {
-    return pages_of(subject).cascade(subject.axis);
+    Workspace workspace(subject.files, options_of(subject));
+    return axisc::cascade_line(workspace, subject.machine, subject.axis, subject.language);
   } catch (Failure const& failure) {
     return failure.sentence(subject.language);
   }

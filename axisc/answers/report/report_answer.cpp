@@ -65,7 +65,7 @@ struct Earlier {
 std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion const& question,
                                           ErrorSink const& errors, std::vector<Message>& notes) {
   auto const& input = question.input;
-  ReportSubject subject{.input = input,
+  ReportSubject subject{.input = question.name.empty() ? input : question.name,
                         .findings = {},
                         .counts = {},
                         .plots = {},
@@ -79,7 +79,7 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
   bool const is_listed = std::find(inputs.paths.begin(), inputs.paths.end(), path) != inputs.paths.end();
   if (!is_listed) {
     inputs.paths = {path};
-    if (path != machine_input(input)) subject.input = path;
+    if (question.name.empty() && path != machine_input(input)) subject.input = path;
   }
   workspace.take(inputs);
   auto const machine = checked(subject, path, inputs.paths, workspace);

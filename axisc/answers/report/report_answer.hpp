@@ -12,6 +12,7 @@ namespace axisc {
 
 struct ReportQuestion {
   std::string input;                       ///< a list, a machine, or a folder with one machine
+  std::string name = {};                   ///< as the page calls it; empty: as it was named
   std::optional<std::string> before = {};  ///< an earlier state: adds every change and its effect
   ContourRequest contour = {.feeds = {1000, 2000, 4000}, .tolerance_mm = {}};
   bool alone = false;
