@@ -1,4 +1,4 @@
-#include "axisc/answers/difference/diff_words.hpp"
+#include "axisc/answers/difference/difference_answer.hpp"
 #include "axisc/answers/execution/port_response.hpp"
 #include "axisc/answers/figures/plots.hpp"
 #include "diagnostics/format_number.hpp"
