@@ -78,17 +78,6 @@ void declare(CommandLine& command_line, DiffOptions& options) {
   command_line.flag("--exit-code", options.exit_code, says::option_exit_code);
 }
 
-double feed_of(DiffOptions const& options) {
-  constexpr double otherwise = 1000;
-  if (!options.feed) return otherwise;
-  auto const feed = parse_finite(*options.feed);
-  if (!feed || !(*feed > 0)) {
-    throw Failure(
-        {.sentence = says::bad_number, .arguments = {{"option", "--feed"}, {"value", *options.feed}}});
-  }
-  return *feed;
-}
-
 /// The two sides of a comparison; they are one where two axes of a machine are compared.
 struct Sides {
   std::shared_ptr<ComparedMachine> before, after;
@@ -158,7 +147,8 @@ ExitStatus diff(Invocation const& invocation) {
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_two_sides(command_line, options);
-  double const feed = feed_of(options);
+  constexpr double feed_otherwise = 1000;
+  double const feed = options.feed ? positive_number("--feed", *options.feed) : feed_otherwise;
   SettingsFinder settings(options.schema_files);
   CheckJob job;
   job.options.cycle_time = asked_cycle_time(options.cycle_time);

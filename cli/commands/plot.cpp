@@ -257,15 +257,8 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, Checke
   for (auto const axis : machine.groups[group].axes) axes.push_back(machine.axes[axis].name);
   auto const plane = plane_of(options.plane, axes);
   std::optional<double> tolerance;
-  if (options.tolerance) {
-    tolerance = parse_finite(*options.tolerance);
-    if (!tolerance || !(*tolerance > 0)) {
-      throw Failure({.sentence = says::bad_number,
-                     .arguments = {{"option", "--tolerance"}, {"value", *options.tolerance}}});
-    }
-    constexpr double um_per_mm = 1000;
-    *tolerance *= um_per_mm;
-  }
+  constexpr double um_per_mm = 1000;
+  if (options.tolerance) tolerance = positive_number("--tolerance", *options.tolerance) * um_per_mm;
   ProgramRequest const request{.machine_path = *options.input, .program_path = *options.program};
   ProgramLines program(request.program_path);
   auto const problems = printed_problems(invocation, color);

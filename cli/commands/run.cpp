@@ -117,22 +117,12 @@ double number(std::optional<std::string> const& word, char const* option, double
   return *value;
 }
 
-std::uint64_t count(std::optional<std::string> const& word, char const* option, std::uint64_t otherwise) {
-  if (!word) return otherwise;
-  auto const value = parse_count(*word);
-  if (!value) {
-    throw Failure({.sentence = says::bad_count, .arguments = {{"option", option}, {"value", *word}}});
-  }
-  return *value;
-}
-
-/// Number of cycles to record; none without `--record`.
-std::optional<std::uint32_t> cycles_to_record(RunOptions const& options) {
-  if (!options.record) return std::nullopt;
-  auto const cycles = count(options.record_cycles, "--record-cycles", default_record_cycles);
-  if (cycles >= 1 && cycles <= most_record_cycles) return static_cast<std::uint32_t>(cycles);
-  throw Failure({.sentence = says::bad_count,
-                 .arguments = {{"option", "--record-cycles"}, {"value", *options.record_cycles}}});
+/// Length of the signal.
+std::uint64_t cycles_of(RunOptions const& options) {
+  if (!options.cycles) return default_cycles;
+  if (auto const value = parse_count(*options.cycles)) return *value;
+  throw Failure(
+      {.sentence = says::bad_count, .arguments = {{"option", "--cycles"}, {"value", *options.cycles}}});
 }
 
 Port port_of(RunOptions const& options) {
@@ -161,7 +151,7 @@ std::unique_ptr<Stimulus> make_stimulus(RunOptions const& options, image::ImageC
   auto stimulus = std::make_unique<SignalStimulus>(
       image, SignalStimulus::Facts{.signal = *signal,
                                    .amplitude = number(options.amplitude, "--amplitude", 1),
-                                   .cycles = count(options.cycles, "--cycles", default_cycles),
+                                   .cycles = cycles_of(options),
                                    .port = port_of(options)});
   if (stimulus->channels().empty()) {
     SentenceRef const text_of_port =
@@ -198,14 +188,16 @@ ExitStatus run(Invocation const& invocation) {
   protect_inputs(options);
   auto const port = port_of(options);
   double const position = number(options.reset, "--reset", 0);
-  auto const recorded_cycles = cycles_to_record(options);
+  auto const recorded_cycles =
+      options.record_cycles ? positive_count("--record-cycles", *options.record_cycles, most_record_cycles)
+                            : default_record_cycles;
   auto const file = load_image(*options.image);
   auto const stimulus = make_stimulus(options, file.contents);
   auto commands = read_timed_commands(options.commands, file, *options.image, invocation.language);
-  if (!options.input) refuse_late(commands, count(options.cycles, "--cycles", default_cycles));
+  if (!options.input) refuse_late(commands, cycles_of(options));
   Execution execution(*options.image, start_runtime(*options.image, file, level_of(options.level)),
                       file.contents, *stimulus, std::move(commands));
-  if (recorded_cycles) execution.record(*recorded_cycles);
+  if (options.record) execution.record(static_cast<std::uint32_t>(recorded_cycles));
   execution.reset(position, port);
   Noticed noticed;
   if (options.output) {

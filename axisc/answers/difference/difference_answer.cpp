@@ -10,11 +10,8 @@ namespace axisc::says {
 
 constexpr Sentence compared{"{before} → {after}", "{before} → {after}"};
 constexpr Sentence nothing{"{before} and {after} mean the same", "{before} und {after} bedeuten dasselbe"};
-constexpr Sentence what{"what", "was"};
-constexpr Sentence before{"before", "vorher"};
 constexpr Sentence after{"after", "nachher"};
 constexpr Sentence present{"present", "vorhanden"};
-constexpr Sentence channel{"channel {name}", "Kanal {name}"};
 constexpr Sentence spindles{"spindles", "Spindeln"};
 constexpr Sentence couplings{"coupled (slave = master)", "gekoppelt (Slave = Master)"};
 constexpr Sentence programs{"programs", "Programme"};
@@ -55,7 +52,7 @@ Names names_of(std::vector<ComparedAxis const*> const& axes) {
 /// NC cycle time, axes of one side only, gantries.
 Table machine_table(ShownDifference const& shown) {
   auto const& difference = shown.difference;
-  auto table = side_table(shown, says::what);
+  auto table = side_table(shown, labels::what);
   add_difference(table, labels::cycle_time,
                  exact(difference.before.cycle_time.microseconds(), Unit::microsecond),
                  exact(difference.after.cycle_time.microseconds(), Unit::microsecond));
@@ -106,14 +103,15 @@ Section channel_section(ShownDifference const& shown, ChannelDifference const& c
   auto const name = is_renamed ? Words(says::compared, {{"before", was.name}, {"after", is.name}})
                                : as_given(is.name.empty() ? was.name : is.name);
   auto const other = programs_with_other_content(channel);
-  auto table = side_table(shown, says::what);
+  auto table = side_table(shown, labels::what);
   add_difference(table, labels::axes, was.axes, is.axes);
   if (shown.difference.before.tells_all && shown.difference.after.tells_all) {
     add_difference(table, says::spindles, was.spindles, is.spindles);
     add_difference(table, says::couplings, was.couplings, is.couplings);
     add_difference(table, says::programs, marked_programs(was, {}), marked_programs(is, other));
   }
-  Section section{.key = {}, .title = Words(says::channel, {{"name", name}}), .blocks = {std::move(table)}};
+  Section section{
+      .key = {}, .title = Words(labels::one_channel, {{"name", name}}), .blocks = {std::move(table)}};
   for (auto const& [key, side] : {std::pair("before", channel.before), {"after", channel.after}}) {
     section.blocks.push_back(side != nullptr ? Block(channel_data(key, *side)) : Facts{{data(key, {})}});
   }
@@ -159,7 +157,7 @@ Table side_table(ShownDifference const& shown, Words what) {
   bool const of_axes = shown.difference.of_one_machine;
   return {.key = {},
           .columns = {head_column({}, std::move(what)),
-                      column({}, of_axes ? as_given(shown.before) : says::before),
+                      column({}, of_axes ? as_given(shown.before) : labels::before),
                       column({}, of_axes ? as_given(shown.after) : says::after)},
           .rows = {},
           .audience = Audience::people};

@@ -8,14 +8,11 @@
 
 namespace axisc::says {
 
-constexpr Sentence one_axis{"axis {axis}", "Achse {axis}"};
 constexpr Sentence one_axis_of{"axis {axis} ({details})", "Achse {axis} ({details})"};
 constexpr Sentence several_axes{"axes {axes}", "Achsen {axes}"};
 constexpr Sentence number{"number {number}", "Nummer {number}"};
 constexpr Sentence number_and_list{"number {number}, {list}", "Nummer {number}, {list}"};
-constexpr Sentence fact{"what", "was"};
 constexpr Sentence name_in_programs{"name in programs", "Name im Programm"};
-constexpr Sentence drive{"drive", "Antrieb"};
 constexpr Sentence set_in{"set in", "gesetzt in"};
 constexpr Sentence both_places{"{before} → {after}", "{before} → {after}"};
 constexpr Sentence one_place{"{side}: {place}", "{side}: {place}"};
@@ -77,7 +74,7 @@ class AxisParts {
   AxisPart empty_part(Words title, Names axes) const {
     return {.title = std::move(title),
             .axes = std::move(axes),
-            .facts = side_table(shown_, says::fact),
+            .facts = side_table(shown_, labels::what),
             .parameters = parameter_table(shown_),
             .places = {.key = {},
                        .columns = {head_column({}, labels::axis), head_column({}, labels::parameter),
@@ -129,7 +126,7 @@ class AxisParts {
     if (axis.other_type) {
       add_difference(part.facts, labels::type, axis_type_symbol(was.type), axis_type_symbol(is.type));
     }
-    if (axis.other_drive) add_difference(part.facts, says::drive, was.drive, is.drive);
+    if (axis.other_drive) add_difference(part.facts, labels::drive, was.drive, is.drive);
     for (auto const& change : axis.parameters) {
       if (!told_.contains(&change)) add(part, change);
     }
@@ -165,11 +162,11 @@ std::string number_of(ComparedAxis const& axis) {
 
 Words axis_title(ShownDifference const& shown, ComparedAxis const& was, ComparedAxis const& is) {
   bool const is_machine = shown.difference.before.tells_channels || shown.difference.after.tells_channels;
-  if (!is_machine) return {says::one_axis, {{"axis", is.name}}};
+  if (!is_machine) return {labels::one_axis, {{"axis", is.name}}};
   auto const name = of_both(was.name, is.name);
   auto const number = of_both(number_of(was), number_of(is));
   auto const list = of_both(was.list, is.list);
-  if (number.empty() && list.empty()) return {says::one_axis, {{"axis", name}}};
+  if (number.empty() && list.empty()) return {labels::one_axis, {{"axis", name}}};
   Value details = list;
   if (!number.empty()) {
     details = list.empty() ? Words(says::number, {{"number", number}})

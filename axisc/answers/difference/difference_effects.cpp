@@ -11,7 +11,6 @@ constexpr Sentence reading{"computed as (\"design\" of the settings)",
                            "gerechnet als (\"design\" der Einstellungen)"};
 constexpr Sentence settling{"settling time (0.01 %)", "Einschwingzeit (0,01 %)"};
 constexpr Sentence longer{"longer than {time}", "länger als {time}"};
-constexpr Sentence step_overshoot{"overshoot of a step", "Überschwingen eines Sprungs"};
 constexpr Sentence gain{"gain at {frequency}", "Verstärkung bei {frequency}"};
 constexpr Sentence corner{"deviation at a 90° corner, {feed}", "Abweichung an einer 90°-Ecke, {feed}"};
 
@@ -74,7 +73,7 @@ Table effects_table(ShownDifference const& shown, AxisDifference const& axis) {
   rows.push_back(
       {Words(labels::delay), before.time(chain.before.delay_cycles), after.time(chain.after.delay_cycles)});
   rows.push_back({Words(says::settling), before.settling(), after.settling()});
-  rows.push_back({Words(says::step_overshoot), rounded(chain.before.overshoot * 100, Unit::percent, digits),
+  rows.push_back({Words(labels::step_overshoot), rounded(chain.before.overshoot * 100, Unit::percent, digits),
                   rounded(chain.after.overshoot * 100, Unit::percent, digits)});
   for (auto const& gain : chain.gains) {
     auto const frequency = rounded(gain.frequency.value, Unit::hertz, digits);
