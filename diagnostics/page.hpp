@@ -15,6 +15,7 @@ struct Page {
   [[nodiscard]] constexpr std::string_view in(Language language) const {
     return language == Language::german ? german : english;
   }
+  explicit operator Wording() const { return {std::string(english), std::string(german)}; }
 };
 
 }  // namespace axisc

@@ -30,12 +30,13 @@ class CsvWriter {
   void operator()(Section const& section) {
     if (!is_for_programs(section.audience)) return;
     auto const outside = identity_.size();
-    identity_.insert(identity_.end(), section.identity.begin(), section.identity.end());
+    for (auto const& field : section.identity) identity_.emplace_back(array_, field);
     collect(section.blocks);
     identity_.erase(identity_.begin() + static_cast<std::ptrdiff_t>(outside), identity_.end());
   }
   void operator()(Sections const& sections) {
     for (auto const& section : sections.items) {
+      array_ = sections.key;
       if (sections.key == key_) {
         add_section(section);
       } else {
@@ -46,14 +47,18 @@ class CsvWriter {
   void operator()(Table const& table) {
     if (table.key != key_) return;
     std::vector<std::size_t> places;
-    for (auto const& field : identity_) places.push_back(place_of(field.key));
+    for (auto const& [array, field] : identity_) {
+      bool const is_taken = std::any_of(table.columns.begin(), table.columns.end(),
+                                        [&](Column const& column) { return name_of(column) == field.key; });
+      places.push_back(place_of(is_taken ? array + "." + field.key : field.key));
+    }
     for (auto const& column : table.columns) {
       places.push_back(is_for_programs(column.audience) ? place_of(name_of(column)) : names_.size());
     }
     for (auto const& row : table.rows) {
       auto& cells = rows_.emplace_back(names_.size());
       std::size_t next = 0;
-      for (auto const& field : identity_) cells[places[next++]] = text_of_cell(field.value);
+      for (auto const& [array, field] : identity_) cells[places[next++]] = text_of_cell(field.value);
       for (std::size_t i = 0; i < row.size(); ++i, ++next) {
         if (is_for_programs(table.columns[i].audience)) cells[places[next]] = text_of_cell(row[i]);
       }
@@ -90,7 +95,7 @@ class CsvWriter {
         if (auto const* const facts = std::get_if<Facts>(&block)) add(facts->fields, object);
       }
     };
-    add(identity_, {});
+    for (auto const& [array, field] : identity_) add({field}, {});
     add(section.identity, {});
     add_facts(section.blocks, {});
     for (auto const& block : section.blocks) {
@@ -127,7 +132,8 @@ class CsvWriter {
 
   std::string_view key_;
   Language language_;
-  std::vector<Field> identity_;  ///< of the sections around
+  std::string array_;                                    ///< of the sections being collected
+  std::vector<std::pair<std::string, Field>> identity_;  ///< of the sections around, with the array's key
   std::vector<std::string> names_;
   std::vector<std::vector<std::string>> rows_;
 };

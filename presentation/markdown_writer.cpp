@@ -8,8 +8,8 @@ namespace axisc::presentation {
 
 namespace {
 
-/// Text in which nothing is markup, with as few escapes as that takes: names of parameters,
-/// `filter[0].fg_f0`, stay as they are.
+/// Text in which nothing is markup, a link or a user's name, with as few escapes as that takes: names of
+/// parameters, `filter[0].fg_f0`, stay as they are.
 std::string plain(std::string_view text) {
   auto const is_word = [&](std::size_t at) {
     return at < text.size() && (ascii::is_letter(text[at]) || ascii::is_digit(text[at]));
@@ -17,18 +17,21 @@ std::string plain(std::string_view text) {
   std::string shown;
   for (std::size_t i = 0; i < text.size(); ++i) {
     char const character = text[i];
+    bool const ends_link = text.substr(0, i).ends_with("www") || text.substr(0, i).ends_with(":/");
     bool const is_markup = character == '_'   ? i == 0 || !is_word(i - 1) || !is_word(i + 1)
                            : character == ']' ? text.substr(i + 1).starts_with('(')
                            : character == '#'
                                ? i == 0
-                               : std::string_view("\\`*<>|").find(character) != std::string_view::npos;
-    if (is_markup) shown += '\\';
+                               : std::string_view("\\`*<>").find(character) != std::string_view::npos;
+    bool const is_link = ends_link && (character == '.' || character == '/');
+    if (is_markup || is_link) shown += '\\';
     shown += character;
+    if (character == '@') shown += "<!-- -->";
   }
   return shown;
 }
 
-/// Sentences of the program keep their `code`; only what would end a cell is escaped.
+/// Without what would end a cell.
 std::string in_cell(std::string_view text) {
   std::string shown;
   for (char const character : text) {
@@ -36,11 +39,6 @@ std::string in_cell(std::string_view text) {
     shown += character;
   }
   return shown;
-}
-
-bool is_sentence(Value const& value) {
-  return std::holds_alternative<Words>(value.form()) || std::holds_alternative<Symbol>(value.form()) ||
-         std::holds_alternative<Wording>(value.form());
 }
 
 class MarkdownWriter {
@@ -59,16 +57,16 @@ class MarkdownWriter {
       if (!is_for_people(field.audience) || field.value.is_blank()) continue;
       if (!any) text_ += "\n";
       any = true;
-      text_ += "- " + text_of(field.label, language_) + ": " + shown(field.value) + "\n";
+      text_ += "- " + said(field.label) + ": " + text_of(field.value, language_, Units::shown, plain) + "\n";
     }
   }
   void operator()(Table const& table) {
     if (!is_for_people(table.audience) || table.rows.empty()) return;
-    auto const shown_cells = shown_table(table, language_);
+    auto const shown_cells = shown_table(table, language_, plain);
     if (!shown_cells.columns.empty()) rows(table, shown_cells);
     for (auto const& section : table.details) (*this)(section);
   }
-  void operator()(Paragraph const& paragraph) { text_ += "\n" + text_of(paragraph.words, language_) + "\n"; }
+  void operator()(Paragraph const& paragraph) { text_ += "\n" + said(paragraph.words) + "\n"; }
   void operator()(Verbatim const& verbatim) {
     if (!is_for_people(verbatim.audience) || verbatim.text.empty()) return;
     // The fence is longer than any in the text.
@@ -104,7 +102,7 @@ class MarkdownWriter {
   static constexpr std::size_t deepest = 6;
 
   void heading(Words const& words) {
-    text_.append(std::min(level_, deepest), '#').append(" ").append(text_of(words, language_)).append("\n");
+    text_.append(std::min(level_, deepest), '#').append(" ").append(said(words)).append("\n");
   }
   void rows(Table const& table, ShownTable const& cells) {
     text_ += "\n|";
@@ -127,13 +125,9 @@ class MarkdownWriter {
   /// What people see of a value, as a cell.
   static std::string marked(Value const& value, std::string_view text) {
     auto const* const link = std::get_if<Link>(&value.form());
-    if (link != nullptr) return "[" + plain(text) + "](#" + link->id + ")";
-    return is_sentence(value) ? in_cell(text) : plain(text);
+    return link != nullptr ? "[" + in_cell(text) + "](#" + link->id + ")" : in_cell(text);
   }
-  [[nodiscard]] std::string shown(Value const& value) const {
-    auto const text = text_of(value, language_);
-    return is_sentence(value) || value.is_number() ? text : plain(text);
-  }
+  [[nodiscard]] std::string said(Words const& words) const { return text_of(words, language_, plain); }
 
   Language language_;
   std::size_t level_ = 1;

@@ -12,8 +12,8 @@ namespace axisc::presentation {
 
 namespace {
 
-std::string heading_of(Column const& column, Unit unit, Language language) {
-  std::string text = text_of(column.label, language);
+std::string heading_of(Column const& column, Unit unit, Language language, ForeignText foreign) {
+  std::string text = text_of(column.label, language, foreign);
   auto const shown = symbol(unit, language);
   if (shown.empty()) return text;
   return text.append(" [").append(shown).append("]");
@@ -53,7 +53,7 @@ bool is_column_of_numbers(Table const& table, std::size_t column) {
 
 }  // namespace
 
-ShownTable shown_table(Table const& table, Language language) {
+ShownTable shown_table(Table const& table, Language language, ForeignText foreign) {
   ShownTable shown;
   auto const rows = std::min(table.rows.size(), table.most_shown);
   shown.rows.resize(rows);
@@ -65,14 +65,14 @@ ShownTable shown_table(Table const& table, Language language) {
     if (!is_for_people(column.audience) || !has_cells(table, i)) continue;
     auto const unit = unit_of(table, i);
     shown.columns.push_back(i);
-    shown.headings.push_back(heading_of(column, unit, language));
+    shown.headings.push_back(heading_of(column, unit, language, foreign));
     shown.is_right.push_back(is_column_of_numbers(table, i));
     shown.is_head.push_back(column.is_head);
     auto const units = unit == Unit::none ? Units::shown : Units::in_heading;
     for (std::size_t row = 0; row < rows; ++row) {
       auto const& value = table.rows[row][i];
       // In a row of many an empty place reads better than a dash.
-      shown.rows[row].push_back(value.is_blank() ? std::string() : text_of(value, language, units));
+      shown.rows[row].push_back(value.is_blank() ? std::string() : text_of(value, language, units, foreign));
     }
   }
   return shown;

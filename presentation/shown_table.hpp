@@ -21,6 +21,6 @@ struct ShownTable {
   std::vector<std::vector<std::string>> rows;
   std::string more;  ///< the number of rows not shown, as a sentence; empty for a whole table
 };
-[[nodiscard]] ShownTable shown_table(Table const& table, Language language);
+[[nodiscard]] ShownTable shown_table(Table const& table, Language language, ForeignText foreign = nullptr);
 
 }  // namespace axisc::presentation

@@ -58,7 +58,9 @@ class Lines {
       while (lines_of(table.headings[i], widths_[i]).size() > most_heading_lines) ++widths_[i];
     }
     bool const is_wrapped = !table.is_right.back() && before() + widths_.back() > width;
-    if (is_wrapped && before() + narrowest_wrapped <= width) widths_.back() = width - before();
+    auto narrowest = narrowest_wrapped;
+    for (auto const& row : table.rows) narrowest = std::max(narrowest, longest_word(row.back()));
+    if (is_wrapped && before() + narrowest <= width) widths_.back() = width - before();
   }
 
   /// Text that is wider even alone beside the head columns is wrapped.

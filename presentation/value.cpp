@@ -21,9 +21,13 @@ constexpr std::size_t most_numbers = 6;
 struct TextForm {
   Language language;
   Units units;
+  ForeignText foreign;
 
+  [[nodiscard]] std::string shown(std::string const& text) const {
+    return foreign != nullptr ? foreign(printable(text)) : printable(text);
+  }
   std::string operator()(Nothing const& nothing) const {
-    return nothing.reason ? text_of(*nothing.reason, language) : "-";
+    return nothing.reason ? text_of(*nothing.reason, language, foreign) : "-";
   }
   std::string operator()(bool value) const {
     return std::string(SentenceRef(value ? says::yes : says::no).in(language));
@@ -32,12 +36,12 @@ struct TextForm {
   std::string operator()(Quantity const& quantity) const {
     return units == Units::shown ? quantity_text(quantity, language) : number_text(quantity, language);
   }
-  std::string operator()(std::string const& text) const { return text.empty() ? "-" : printable(text); }
-  std::string operator()(Symbol const& symbol) const { return text_of(symbol.words, language); }
-  std::string operator()(Words const& words) const { return text_of(words, language); }
+  std::string operator()(std::string const& text) const { return text.empty() ? "-" : shown(text); }
+  std::string operator()(Symbol const& symbol) const { return text_of(symbol.words, language, foreign); }
+  std::string operator()(Words const& words) const { return text_of(words, language, foreign); }
   std::string operator()(Names const& names) const {
     std::string text;
-    for (auto const& name : names) (text += text.empty() ? "" : ", ") += printable(name);
+    for (auto const& name : names) (text += text.empty() ? "" : ", ") += shown(name);
     return text.empty() ? "-" : text;
   }
   std::string operator()(Numbers const& numbers) const {
@@ -99,15 +103,16 @@ Value quantity_or(Nothing nothing, std::optional<double> value, Unit unit, Digit
   return Quantity{.value = *value, .unit = unit, .digits = digits};
 }
 
-std::string text_of(Value const& value, Language language, Units units) {
-  return std::visit(TextForm{.language = language, .units = units}, value.form());
+std::string text_of(Value const& value, Language language, Units units, ForeignText foreign) {
+  return std::visit(TextForm{.language = language, .units = units, .foreign = foreign}, value.form());
 }
 
-std::string text_of(Words const& words, Language language) {
+std::string text_of(Words const& words, Language language, ForeignText foreign) {
   Message message{.sentence = words.sentence, .arguments = {}};
   for (auto const& [name, value] : words.values) {
     auto const* const wording = std::get_if<Wording>(&value.form());
-    message.arguments.push_back({name, wording != nullptr ? *wording : text_of(value, language)});
+    message.arguments.push_back(
+        {name, wording != nullptr ? *wording : text_of(value, language, Units::shown, foreign)});
   }
   return render(message, language, Values::printable);
 }

@@ -130,9 +130,13 @@ enum class Units : std::uint8_t {
   in_heading,  ///< the heading of the column has it
 };
 
+/// What a format does to texts that are not the program's own: names, values of lists.
+using ForeignText = std::string (*)(std::string_view printable);
+
 /// For people: one line, printable.
-[[nodiscard]] std::string text_of(Value const& value, Language language, Units units = Units::shown);
-[[nodiscard]] std::string text_of(Words const& words, Language language);
+[[nodiscard]] std::string text_of(Value const& value, Language language, Units units = Units::shown,
+                                  ForeignText foreign = nullptr);
+[[nodiscard]] std::string text_of(Words const& words, Language language, ForeignText foreign = nullptr);
 [[nodiscard]] Wording wording_of(Words const& words);
 
 }  // namespace axisc::presentation

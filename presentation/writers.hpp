@@ -35,7 +35,8 @@ struct WriterOptions {
 /// Numbers read back as the same double.
 [[nodiscard]] std::string write_json(Document const& document, WriterOptions const& options);
 /// The tables `csv_table` names, one below the other with their sections' identity as first columns and one
-/// header; a column that a table lacks is empty there. Empty for a document without such tables.
+/// header; a column that a table lacks is empty there. An identity that a column is called like begins with
+/// the key of its array: "axes.name". Empty for a document without such tables.
 [[nodiscard]] std::string write_csv(Document const& document, WriterOptions const& options);
 [[nodiscard]] std::string write_markdown(Document const& document, WriterOptions const& options);
 /// A page of its own.

@@ -21,6 +21,10 @@ namespace axisc {
 /// A number above 0; Failure for any other value of `option`.
 [[nodiscard]] double positive_number(std::string const& option, std::string const& word);
 
+/// A whole number from 1 to `most`; Failure for any other value of `option`.
+[[nodiscard]] std::uint64_t positive_count(std::string const& option, std::string const& word,
+                                           std::uint64_t most = UINT64_MAX);
+
 /// A decimal integer without sign.
 [[nodiscard]] std::optional<std::uint64_t> parse_count(std::string_view text);
 

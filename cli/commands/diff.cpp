@@ -1,5 +1,4 @@
-#include "axisc/answers/difference/diff_formats.hpp"
-#include "axisc/answers/difference/machine_difference.hpp"
+#include "axisc/answers/difference/difference_answer.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/files/path_identity.hpp"
 #include "cli/commands/commands.hpp"
@@ -7,6 +6,7 @@
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/sentences.hpp"
+#include "cli/output/answer_output.hpp"
 #include "cli/output/printed_errors.hpp"
 
 #include <map>
@@ -47,7 +47,6 @@ constexpr Sentence too_many{"`diff` compares two inputs, and at most two axes of
                             "`diff` vergleicht zwei Eingaben und höchstens zwei Achsen davon"};
 constexpr Sentence option_feed{"path feed in mm/min for the corner (default: 1000)",
                                "Bahnvorschub in mm/min für die Ecke (Standardwert: 1000)"};
-constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
 constexpr Sentence option_exit_code{"exit status 1 if something changed",
                                     "Rückgabewert 1, wenn sich etwas geändert hat"};
 
@@ -57,15 +56,13 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Format : std::uint8_t { text, json, markdown };
-
 struct DiffOptions {
   std::vector<std::string> inputs;
   std::vector<std::string> axes;
   std::vector<std::string> schema_files;
   std::optional<std::string> cycle_time;
   std::optional<std::string> feed;
-  Format format = Format::text;
+  presentation::Format format = presentation::Format::text;
   bool all = false;
   bool exit_code = false;
 };
@@ -76,22 +73,9 @@ void declare(CommandLine& command_line, DiffOptions& options) {
   command_line.flag("--all", options.all, says::option_all);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   command_line.value("--feed", "MM_PER_MIN", options.feed, says::option_feed);
-  command_line.choice("--format",
-                      {{"text", Format::text}, {"json", Format::json}, {"markdown", Format::markdown}},
-                      options.format, says::option_format);
+  declare_format(command_line, options.format);
   declare_schema(command_line, options.schema_files);
   command_line.flag("--exit-code", options.exit_code, says::option_exit_code);
-}
-
-double feed_of(DiffOptions const& options) {
-  constexpr double otherwise = 1000;
-  if (!options.feed) return otherwise;
-  auto const feed = parse_finite(*options.feed);
-  if (!feed || !(*feed > 0)) {
-    throw Failure(
-        {.sentence = says::bad_number, .arguments = {{"option", "--feed"}, {"value", *options.feed}}});
-  }
-  return *feed;
 }
 
 /// The two sides of a comparison; they are one where two axes of a machine are compared.
@@ -163,7 +147,8 @@ ExitStatus diff(Invocation const& invocation) {
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_two_sides(command_line, options);
-  double const feed = feed_of(options);
+  constexpr double feed_otherwise = 1000;
+  double const feed = options.feed ? positive_number("--feed", *options.feed) : feed_otherwise;
   Workspace workspace(overrides_with(options.cycle_time, options.schema_files));
   bool const color = use_color(command_line.color(), system::Stream::error);
   auto const sides = load_sides(workspace, options, invocation, color);
@@ -171,22 +156,12 @@ ExitStatus diff(Invocation const& invocation) {
 
   auto const difference = compare(options, *sides);
   bool const of_one_machine = difference.of_one_machine;
-  ShownDifference const shown{
-      .before = of_one_machine ? axis_called(*sides->before, options.axes[0]).name : options.inputs[0],
-      .after = of_one_machine ? axis_called(*sides->after, options.axes[1]).name : options.inputs[1],
-      .difference = difference,
-      .feed_mm_per_min = feed};
-  switch (options.format) {
-    case Format::text:
-      invocation.streams.out.write(diff_text(shown, invocation.language));
-      break;
-    case Format::json:
-      invocation.streams.out.write(diff_json(shown, invocation.language));
-      break;
-    case Format::markdown:
-      invocation.streams.out.write(diff_markdown(shown, invocation.language));
-      break;
-  }
+  print(difference_answer(
+            {.before = of_one_machine ? axis_called(*sides->before, options.axes[0]).name : options.inputs[0],
+             .after = of_one_machine ? axis_called(*sides->after, options.axes[1]).name : options.inputs[1],
+             .difference = difference,
+             .feed_mm_per_min = feed}),
+        options.format, invocation, command_line);
   bool const has_errors = !sides->before->image || !sides->after->image;
   return has_errors || (options.exit_code && !difference.empty()) ? ExitStatus::findings
                                                                   : ExitStatus::success;

@@ -128,10 +128,7 @@ ExitStatus plot(Invocation const& invocation) {
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
-  command_line.refuse_others(
-      std::find_if(picture_kinds.begin(), picture_kinds.end(), [&](auto const& row) {
-        return row.second == question.kind;
-      })->first);
+  command_line.refuse_others(word_of(question.kind));
   options.target.check();
   question.input = *options.input;
   question.language = invocation.language;

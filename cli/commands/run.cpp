@@ -19,8 +19,6 @@ namespace axisc::cli::says {
 constexpr Sentence bad_signal{
     "\"{value}\" is not a signal; choose step, ramp:UNITS_PER_S, sine:HZ or impulse",
     "\"{value}\" ist kein Signal; möglich sind step, ramp:EINHEITEN_JE_S, sine:HZ und impulse"};
-constexpr Sentence signal_and_input{"{option} belongs to a signal and cannot be used with --input",
-                                    "{option} gehört zu einem Signal und geht nicht zusammen mit --input"};
 constexpr Sentence refused_setpoints{
     "{count} inputs were NaN, infinite or beyond 2^53, the first in cycle {cycle}; the last good one was "
     "used instead",
@@ -59,9 +57,6 @@ constexpr Sentence option_record{
     "die letzten Zyklen behalten und in diese Datei schreiben, für `axisc replay`"};
 constexpr Sentence option_record_cycles{"how many cycles --record keeps (default: 1000)",
                                         "wie viele Zyklen --record behält (Standardwert: 1000)"};
-constexpr Sentence record_missing{
-    "--record-cycles says how many cycles --record FILE keeps; give --record as well",
-    "--record-cycles sagt, wie viele Zyklen --record DATEI behält; auch --record angeben"};
 
 }  // namespace axisc::cli::says
 
@@ -93,16 +88,20 @@ struct RunOptions {
 void declare(CommandLine& command_line, RunOptions& options) {
   command_line.argument("IMAGE.axim", options.image, says::argument_image);
   command_line.value("--input", "FILE.csv", options.input, says::option_input);
+  command_line.not_with("--input");
   command_line.value("--signal", "SIGNAL", options.signal, says::option_signal);
   command_line.value("--amplitude", "A", options.amplitude, says::option_amplitude);
   command_line.value("--cycles", "N", options.cycles, says::option_cycles);
   command_line.value("--port", "setpoint|interface|velocity", options.port, says::option_port);
+  command_line.not_with({});
   command_line.value("--reset", "POSITION", options.reset, says::option_reset);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
   command_line.value("--level", level_names, options.level, says::option_level);
   command_line.value("-o,--output", "FILE.csv", options.output, says::option_csv_output);
   command_line.value("--record", "FILE.axrd", options.record, says::option_record);
+  command_line.only_with("--record");
   command_line.value("--record-cycles", "N", options.record_cycles, says::option_record_cycles);
+  command_line.only_with({});
   command_line.flag("--time", options.table.has_time, says::option_time);
   command_line.choice("--format", {{"csv", false}, {"text", true}}, options.table.is_text,
                       says::option_format);
@@ -118,25 +117,12 @@ double number(std::optional<std::string> const& word, char const* option, double
   return *value;
 }
 
-std::uint64_t count(std::optional<std::string> const& word, char const* option, std::uint64_t otherwise) {
-  if (!word) return otherwise;
-  auto const value = parse_count(*word);
-  if (!value) {
-    throw Failure({.sentence = says::bad_count, .arguments = {{"option", option}, {"value", *word}}});
-  }
-  return *value;
-}
-
-/// Number of cycles to record; none without `--record`.
-std::optional<std::uint32_t> cycles_to_record(RunOptions const& options) {
-  if (!options.record && options.record_cycles) {
-    throw Failure({.sentence = says::record_missing, .arguments = {}});
-  }
-  if (!options.record) return std::nullopt;
-  auto const cycles = count(options.record_cycles, "--record-cycles", default_record_cycles);
-  if (cycles >= 1 && cycles <= most_record_cycles) return static_cast<std::uint32_t>(cycles);
-  throw Failure({.sentence = says::bad_count,
-                 .arguments = {{"option", "--record-cycles"}, {"value", *options.record_cycles}}});
+/// Length of the signal.
+std::uint64_t cycles_of(RunOptions const& options) {
+  if (!options.cycles) return default_cycles;
+  if (auto const value = parse_count(*options.cycles)) return *value;
+  throw Failure(
+      {.sentence = says::bad_count, .arguments = {{"option", "--cycles"}, {"value", *options.cycles}}});
 }
 
 Port port_of(RunOptions const& options) {
@@ -147,17 +133,6 @@ Port port_of(RunOptions const& options) {
       {.sentence = says::bad_choice,
        .arguments = {
            {"option", "--port"}, {"value", *options.port}, {"choices", "setpoint, interface, velocity"}}});
-}
-
-/// Options of --signal have no meaning for a file.
-void refuse_mixture(RunOptions const& options) {
-  if (!options.input) return;
-  for (auto const& [given, option] : {std::pair(options.signal.has_value(), "--signal"),
-                                      {options.amplitude.has_value(), "--amplitude"},
-                                      {options.cycles.has_value(), "--cycles"},
-                                      {options.port.has_value(), "--port"}}) {
-    if (given) throw Failure({.sentence = says::signal_and_input, .arguments = {{"option", option}}});
-  }
 }
 
 void protect_inputs(RunOptions const& options) {
@@ -176,7 +151,7 @@ std::unique_ptr<Stimulus> make_stimulus(RunOptions const& options, image::ImageC
   auto stimulus = std::make_unique<SignalStimulus>(
       image, SignalStimulus::Facts{.signal = *signal,
                                    .amplitude = number(options.amplitude, "--amplitude", 1),
-                                   .cycles = count(options.cycles, "--cycles", default_cycles),
+                                   .cycles = cycles_of(options),
                                    .port = port_of(options)});
   if (stimulus->channels().empty()) {
     SentenceRef const text_of_port =
@@ -210,18 +185,19 @@ ExitStatus run(Invocation const& invocation) {
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.image.has_value(), "IMAGE.axim");
-  refuse_mixture(options);
   protect_inputs(options);
   auto const port = port_of(options);
   double const position = number(options.reset, "--reset", 0);
-  auto const recorded_cycles = cycles_to_record(options);
+  auto const recorded_cycles =
+      options.record_cycles ? positive_count("--record-cycles", *options.record_cycles, most_record_cycles)
+                            : default_record_cycles;
   auto const file = load_image(*options.image);
   auto const stimulus = make_stimulus(options, file.contents);
   auto commands = read_timed_commands(options.commands, file, *options.image, invocation.language);
-  if (!options.input) refuse_late(commands, count(options.cycles, "--cycles", default_cycles));
+  if (!options.input) refuse_late(commands, cycles_of(options));
   Execution execution(*options.image, start_runtime(*options.image, file, level_of(options.level)),
                       file.contents, *stimulus, std::move(commands));
-  if (recorded_cycles) execution.record(*recorded_cycles);
+  if (options.record) execution.record(static_cast<std::uint32_t>(recorded_cycles));
   execution.reset(position, port);
   Noticed noticed;
   if (options.output) {

@@ -76,12 +76,7 @@ std::uint64_t most_cycles(SimulateOptions const& options) {
     bool const writes_rows = options.output || options.format == presentation::Format::csv;
     return writes_rows ? most_rows : motion::SimulationLimits{}.most_cycles;
   }
-  auto const count = parse_count(*options.most_cycles);
-  if (!count || *count == 0) {
-    throw Failure({.sentence = says::bad_count,
-                   .arguments = {{"option", "--max-cycles"}, {"value", *options.most_cycles}}});
-  }
-  return *count;
+  return positive_count("--max-cycles", *options.most_cycles);
 }
 
 /// Where every cycle is written, if anywhere.

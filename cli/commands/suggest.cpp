@@ -49,8 +49,6 @@ constexpr Sentence option_apply{"write suggestion 1, 2, 3 or, with --plant, 4 in
                                 "Vorschlag 1, 2, 3 oder, mit --plant, 4 in die Listen schreiben"};
 constexpr Sentence option_diff{"with --apply: show the patch, write nothing",
                                "mit --apply: den Patch zeigen, nichts schreiben"};
-constexpr Sentence diff_needs_apply{"--diff shows what --apply N would write: add --apply N",
-                                    "--diff zeigt, was --apply N schreiben würde: --apply N ergänzen"};
 constexpr Sentence diff_is_output{"--diff writes a patch to standard output: leave out {other}",
                                   "--diff schreibt einen Patch auf die Standardausgabe: {other} weglassen"};
 
@@ -88,18 +86,12 @@ void declare(CommandLine& command_line, SuggestOptions& options) {
                       question.goal, says::option_goal);
   command_line.value("-o,--output", "FILE", options.picture.path, says::option_picture);
   command_line.value("--apply", "N", options.apply, says::option_apply);
+  command_line.only_with("--apply");
   command_line.flag("--diff", options.diff, says::option_diff);
+  command_line.only_with({});
   declare_format(command_line, options.format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, question.machine.alone);
-}
-
-void refuse_mixture(SuggestOptions const& options) {
-  if (!options.diff) return;
-  if (!options.apply) throw Failure({.sentence = says::diff_needs_apply, .arguments = {}});
-  bool const draws = options.picture.path == "-";
-  if (!draws && options.format == presentation::Format::text) return;
-  throw Failure({.sentence = says::diff_is_output, .arguments = {{"other", draws ? "-o -" : "--format"}}});
 }
 
 }  // namespace
@@ -114,7 +106,10 @@ ExitStatus suggest(Invocation const& invocation) {
   std::optional<std::size_t> number;
   if (options.apply) number = suggestion_number(*options.apply, question.plant.has_value());
   options.picture.check();
-  refuse_mixture(options);
+  bool const draws = options.picture.path == "-";
+  if (options.diff && (draws || options.format != presentation::Format::text)) {
+    throw Failure({says::diff_is_output, {{"other", draws ? "-o -" : "--format"}}});
+  }
   if (options.tolerance) question.tolerance_mm = positive_number("--tolerance", *options.tolerance);
   if (options.feed) question.feed_mm_per_min = positive_number("--feed", *options.feed);
   if (options.radius) question.radius_mm = positive_number("--radius", *options.radius);
@@ -134,8 +129,7 @@ ExitStatus suggest(Invocation const& invocation) {
   auto const& picture = options.picture.path;
   if (picture) refuse_overwriting({*picture}, found->files);
   bool const is_text = options.format == presentation::Format::text;
-  bool const prints = picture != "-";
-  if (prints && (!number || !is_text || !found->helps())) {
+  if (!draws && (!number || !is_text || !found->helps())) {
     print(suggest_answer(*found), options.format, invocation, command_line);
   }
   if (picture) write_picture(suggest_figure(*found, invocation.language), options.picture, invocation);
@@ -144,7 +138,7 @@ ExitStatus suggest(Invocation const& invocation) {
   out.flush();
   auto const chosen = chosen_suggestion(*found, *number, *options.machine);
   if (options.diff) out.write(patch_of(chosen.edits));
-  if (prints && is_text && !options.diff) print(chosen.answer, options.format, invocation, command_line);
+  if (!draws && is_text && !options.diff) print(chosen.answer, options.format, invocation, command_line);
   out.flush();
   auto const notes = options.diff ? notes_of(chosen.edits) : write_lists(chosen.edits);
   std::for_each(notes.begin(), notes.end(), printed_notes(invocation));

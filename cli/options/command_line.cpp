@@ -20,6 +20,10 @@
 namespace axisc::cli::says {
 
 constexpr Sentence of_kinds{"{option} belongs to --kind {kinds}", "{option} gehört zu --kind {kinds}"};
+constexpr Sentence only_with{"{option} belongs to {other}: give {other} as well",
+                             "{option} gehört zu {other}: auch {other} angeben"};
+constexpr Sentence not_with{"{option} cannot be used together with {other}",
+                            "{option} geht nicht zusammen mit {other}"};
 constexpr Sentence unknown_option{
     "\"axisc {command}\" has no option {option}; `axisc {command} --help` lists them",
     "\"axisc {command}\" hat keine Option {option}; `axisc {command} --help` nennt alle"};
@@ -99,6 +103,7 @@ struct CommandLine::Declared : OptionDescription {
   Takes takes{};
   std::function<void(std::vector<std::string> const&)> take;
   CLI::Option* option = nullptr;  ///< none where no word names it
+  std::string_view only_with = {}, not_with = {};
 
   [[nodiscard]] bool is_given() const { return option != nullptr && option->count() > 0; }
 };
@@ -130,6 +135,8 @@ CommandLine::Declared& CommandLine::declare(Takes takes, std::string_view names,
   row.shown = shown;
   row.meaning = meaning;
   row.only_for = only_for_;
+  row.only_with = only_with_;
+  row.not_with = not_with_;
   // Placeholders of arguments are capitals: "CODE|PARAMETER".
   bool const are_values =
       !names.empty() || shown.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string_view::npos;
@@ -137,10 +144,11 @@ CommandLine::Declared& CommandLine::declare(Takes takes, std::string_view names,
   return row;
 }
 
-void CommandLine::argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning) {
-  declare(Takes::argument, {}, shown, meaning).take = [&target](std::vector<std::string> const& given) {
-    target = given.front();
-  };
+void CommandLine::argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning,
+                           std::vector<std::string> values) {
+  auto& row = declare(Takes::argument, {}, shown, meaning);
+  row.take = [&target](std::vector<std::string> const& given) { target = given.front(); };
+  if (!values.empty()) row.values = std::move(values);
 }
 
 void CommandLine::arguments(std::string_view shown, std::vector<std::string>& target, SentenceRef meaning) {
@@ -276,6 +284,7 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
   if (wants_help_) return help();
   if (wants_version_) return version_text();
   refuse_unknown();
+  refuse_mixture();
   for (auto const& row : parser_->declared) {
     if (row.is_given()) row.take(row.option->results());
   }
@@ -297,6 +306,22 @@ void CommandLine::require(bool given, std::string_view argument) const {
   if (given) return;
   throw Failure({.sentence = says::argument_missing,
                  .arguments = {{"argument", placeholder_in(language_, argument)}, {"command", command_}}});
+}
+
+void CommandLine::refuse_mixture() const {
+  auto const is_given = [this](std::string_view names) {
+    return std::any_of(parser_->declared.begin(), parser_->declared.end(),
+                       [&](Declared const& row) { return row.names == names && row.is_given(); });
+  };
+  for (auto const& row : parser_->declared) {
+    if (!row.is_given()) continue;
+    if (!row.only_with.empty() && !is_given(row.only_with)) {
+      throw Failure({says::only_with, {{"option", row.names}, {"other", row.only_with}}});
+    }
+    if (!row.not_with.empty() && is_given(row.not_with)) {
+      throw Failure({says::not_with, {{"option", row.names}, {"other", row.not_with}}});
+    }
+  }
 }
 
 void CommandLine::refuse_others(std::string_view kind) const {

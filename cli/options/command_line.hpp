@@ -31,12 +31,13 @@ class CommandLine {
 
   // Targets must live until read() returns; the target of an option that is not given is unchanged.
 
-  /// An argument without an option, at most one.
-  void argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning);
+  /// An argument without an option, at most one. `values` are those of a placeholder.
+  void argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning,
+                std::vector<std::string> values = {});
   /// Arguments without an option, any number of them.
   void arguments(std::string_view shown, std::vector<std::string>& target, SentenceRef meaning);
   /// `names` are separated by commas: "-o,--output". `shown` is the placeholder of the value in the help, in
-  /// English, or the only values: "csv|text". `values` are those of a placeholder.
+  /// English, or the only values: "csv|text".
   void flag(std::string_view names, bool& target, SentenceRef meaning);
   void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
              SentenceRef meaning, std::vector<std::string> values = {});
@@ -64,6 +65,9 @@ class CommandLine {
 
   /// What is declared next means something only with these values of --kind, "path, plant"; empty: with all.
   void only_for(std::string_view kinds) { only_for_ = kinds; }
+  /// What is declared next is refused where that option is missing, or where it is given; empty: never.
+  void only_with(std::string_view option) { only_with_ = option; }
+  void not_with(std::string_view option) { not_with_ = option; }
   /// Failure for an option that was given and means nothing with this kind.
   void refuse_others(std::string_view kind) const;
 
@@ -90,11 +94,12 @@ class CommandLine {
   Declared& declare(Takes takes, std::string_view names, std::string_view shown, SentenceRef meaning);
   void build(Declared& row);
   void refuse_unknown() const;
+  void refuse_mixture() const;
   /// The parser's message begins with the option's name.
   [[noreturn]] void refuse_value(std::string_view complaint) const;
 
   std::string command_;
-  std::string_view only_for_;
+  std::string_view only_for_, only_with_, not_with_;
   Language language_;
   ColorChoice color_ = ColorChoice::automatic;
   bool wants_help_ = false;

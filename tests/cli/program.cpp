@@ -1,8 +1,12 @@
 #include "cli/program.hpp"
 
+#include "support/catch.hpp"
+#include "support/golden.hpp"
+#include "support/sarif_schema.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -28,6 +32,19 @@ void replace(int descriptor, std::string const& path, int flags) {
   variable_pointers.push_back(nullptr);
   ::execve(argument_pointers[0], argument_pointers.data(), variable_pointers.data());
   ::_exit(127);
+}
+
+/// An answer in JSON is as its schema says, whatever is tested.
+void check_answer(std::vector<std::string> const& arguments, std::string const& out) {
+  constexpr std::array<std::string_view, 9> answering = {
+      "compare", "contour", "diff", "explain", "inspect", "replay", "response", "simulate", "suggest"};
+  auto const format = std::find(arguments.begin(), arguments.end(), "--format");
+  bool const is_json = format != arguments.end() && format + 1 != arguments.end() && format[1] == "json";
+  constexpr std::size_t longest = 300'000;  // all parameters at once would take seconds
+  if (!is_json || out.empty() || out.size() > longest) return;
+  if (std::find(answering.begin(), answering.end(), arguments.front()) == answering.end()) return;
+  auto const schema = read_source_file("docs/schemas/" + arguments.front() + ".schema.json");
+  CHECK(schema_complaints(out, schema) == std::vector<std::string>());
 }
 
 }  // namespace
@@ -65,6 +82,7 @@ Outcome run_axisc(std::vector<std::string> const& arguments, Surroundings const&
   int status = 0;
   struct rusage usage {};
   REQUIRE(::wait4(child, &status, 0, &usage) == child);
+  check_answer(arguments, folder.read("out"));
   return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           .out = folder.read("out"),
           .err = folder.read("err"),

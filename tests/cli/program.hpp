@@ -25,6 +25,7 @@ struct Surroundings {
 
 [[nodiscard]] Surroundings in_folder(std::string path);
 
+/// An answer in JSON is compared with its schema.
 [[nodiscard]] Outcome run_axisc(std::vector<std::string> const& arguments,
                                 Surroundings const& surroundings = {});
 

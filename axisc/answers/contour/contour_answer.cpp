@@ -1,6 +1,7 @@
 #include "axisc/answers/contour/contour_answer.hpp"
 
 #include "analysis/motion/point.hpp"
+#include "axisc/answers/labels.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "diagnostics/format_number.hpp"
 
@@ -13,10 +14,7 @@ constexpr Sentence title{"contour deviations, NC cycle time {cycle_time}",
 constexpr Sentence group{"{group}: axes {axes}", "{group}: Achsen {axes}"};
 constexpr Sentence channel{"channel: axes {axes}", "Kanal: Achsen {axes}"};
 constexpr Sentence feed{"F", "F"};
-constexpr Sentence order{"order", "Ordnung"};
-constexpr Sentence from_lists{"lists", "Listen"};
 constexpr Sentence shape{"contour", "Kontur"};
-constexpr Sentence deviation{"deviation", "Abweichung"};
 constexpr Sentence corner{"corner, {angle}", "Ecke, {angle}"};
 constexpr Sentence circle{"circle, r {radius}", "Kreis, r {radius}"};
 constexpr Sentence line{"line, 45°", "Gerade, 45°"};
@@ -51,14 +49,14 @@ Quantity micrometres(double units) {
 }
 
 Value order_of(ContourCase const& one) {
-  return one.order ? Value(*one.order) : Nothing{Words(says::from_lists)};
+  return one.order ? Value(*one.order) : Nothing{Words(labels::lists)};
 }
 
 Table table_of(GroupContour const& group, ContourRequest const& wanted) {
   Table table{.key = "table",
               .columns = {head_column("feed_mm_per_min", says::feed, Unit::millimetre_per_minute),
-                          head_column("order", says::order), head_column("contour", says::shape),
-                          column("contour_deviation_um", says::deviation, Unit::micrometre),
+                          head_column("order", labels::order), head_column("contour", says::shape),
+                          column("contour_deviation_um", labels::deviation, Unit::micrometre),
                           data_column("max_axis_error_um")},
               .rows = {}};
   for (auto const& axis : group.axes) {

@@ -1,5 +1,6 @@
 #include "axisc/answers/execution/response_answer.hpp"
 
+#include "axisc/answers/labels.hpp"
 #include "axisc/asked/frequencies.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/sentences.hpp"
@@ -11,12 +12,6 @@
 namespace axisc::says {
 
 constexpr Sentence title{"frequency response of {image}", "Frequenzgang von {image}"};
-constexpr Sentence cycle_time{"NC cycle time", "NC-Zykluszeit"};
-constexpr Sentence axis{"axis", "Achse"};
-constexpr Sentence frequency{"frequency", "Frequenz"};
-constexpr Sentence gain{"gain", "Verstärkung"};
-constexpr Sentence phase{"phase", "Phase"};
-constexpr Sentence delay{"group delay", "Gruppenlaufzeit"};
 
 }  // namespace axisc::says
 
@@ -61,15 +56,17 @@ std::vector<double> frequencies_of_filters(image::ImageContents const& image,
 }
 
 std::vector<Column> columns() {
-  return {
-      {.key = "axis", .label = says::axis, .is_head = true},
-      {.key = "frequency_hz", .label = says::frequency, .unit = Unit::hertz, .is_head = true},
-      {.key = "magnitude", .label = says::gain, .audience = Audience::programs},
-      {.key = "phase_rad", .label = says::phase, .unit = Unit::radian, .audience = Audience::programs},
-      {.key = "group_delay_s", .label = says::delay, .unit = Unit::second, .audience = Audience::programs},
-      {.key = "magnitude_db", .label = says::gain, .unit = Unit::decibel},
-      {.key = "phase_deg", .label = says::phase, .unit = Unit::degree},
-      {.key = {}, .label = says::delay, .unit = Unit::millisecond, .audience = Audience::people}};
+  return {{.key = "axis", .label = labels::axis, .is_head = true},
+          {.key = "frequency_hz", .label = labels::frequency, .unit = Unit::hertz, .is_head = true},
+          {.key = "magnitude", .label = labels::gain, .audience = Audience::programs},
+          {.key = "phase_rad", .label = labels::phase, .unit = Unit::radian, .audience = Audience::programs},
+          {.key = "group_delay_s",
+           .label = labels::group_delay,
+           .unit = Unit::second,
+           .audience = Audience::programs},
+          {.key = "magnitude_db", .label = labels::gain, .unit = Unit::decibel},
+          {.key = "phase_deg", .label = labels::phase, .unit = Unit::degree},
+          {.key = {}, .label = labels::group_delay, .unit = Unit::millisecond, .audience = Audience::people}};
 }
 
 std::vector<Value> row_of(std::string const& axis, double frequency, design::ResponsePoint const& point) {
@@ -108,7 +105,7 @@ Document response_answer(ResponseQuestion const& question, ImageFile const& file
   return {.version = 1,
           .title = Words(says::title, {{"image", question.image}}),
           .blocks = {Facts{{data("port", port_name(question.port)),
-                            {.key = "cycle_time_us", .label = says::cycle_time, .value = cycle}}},
+                            {.key = "cycle_time_us", .label = labels::cycle_time, .value = cycle}}},
                      std::move(table)},
           .csv_table = "response"};
 }

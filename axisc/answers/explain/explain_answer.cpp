@@ -37,10 +37,6 @@ Value text_or_nothing(std::string_view text) {
   return text.empty() ? Value() : Value(text);
 }
 
-Wording wording(Page const& page) {
-  return {std::string(page.english), std::string(page.german)};
-}
-
 /// Every code leads to its page, which follows.
 Table index_of(Rules const& rules) {
   Table table{.key = {}, .audience = Audience::people};
@@ -70,7 +66,7 @@ Table found(std::vector<schema::Parameter const*> const& parameters) {
   for (auto const* const parameter : parameters) {
     add_row(table, {shown(labels::parameter, parameter->name),
                     shown(labels::number, schema::number_text(parameter->kind, parameter->p_axis)),
-                    shown(labels::meaning, wording(schema::description_of(*parameter).what))});
+                    shown(labels::meaning, Wording(schema::description_of(*parameter).what))});
   }
   return table;
 }
@@ -133,7 +129,7 @@ Section rule_section(validator::Rule const& rule) {
   }
   return {.key = {},
           .title = as_given(code + " " + std::string(rule.name)),
-          .blocks = {Paragraph{std::move(facts)}, Prose{.key = "page", .markdown = wording(page(rule))}},
+          .blocks = {Paragraph{std::move(facts)}, Prose{.key = "page", .markdown = Wording(page(rule))}},
           .identity = {data("code", code), data("name", rule.name), data("severity", severity),
                        data("control", text_or_nothing(rule.control)),
                        data("needs_cycle_time", rule.needs == validator::Needs::cycle_time)},

@@ -44,10 +44,6 @@ Value text_or_nothing(Wording text) {
   return text.empty() ? Value() : Value(std::move(text));
 }
 
-Wording wording(Page const& page) {
-  return {std::string(page.english), std::string(page.german)};
-}
-
 Value limit_value(schema::ListKind kind, schema::Limit const& limit) {
   if (limit.kind == schema::Limit::Kind::none) return {};
   if (limit.kind == schema::Limit::Kind::number) return exact(limit.number);
@@ -153,7 +149,7 @@ Facts facts_of(schema::Catalogue const& catalogue, schema::Parameter const& para
            shown(says::axis_types, std::move(letters)),
            {"since", says::since, text_or_nothing(parameter.since)},
            {"file", labels::from, text_or_nothing(catalogue.file_of(parameter))},
-           {"manual", says::manual, text_or_nothing(wording(schema::manual_section(parameter)))},
+           {"manual", says::manual, text_or_nothing(Wording(schema::manual_section(parameter)))},
            {"rules", says::rules, rules_about(parameter)}}};
 }
 
@@ -164,7 +160,7 @@ Section parameter_section(schema::Catalogue const& catalogue, schema::Parameter 
   auto const number = schema::number_text(parameter.kind, parameter.p_axis);
   Table values{.key = "values"};
   for (auto const& [value, meaning] : meanings) {
-    add_row(values, {{"value", labels::value, value}, {"meaning", labels::meaning, wording(meaning)}});
+    add_row(values, {{"value", labels::value, value}, {"meaning", labels::meaning, Wording(meaning)}});
   }
   Table ranges{.key = "ranges_by_type"};
   for (auto const& [types, range] : ranges_by_type(parameter)) {
@@ -176,14 +172,14 @@ Section parameter_section(schema::Catalogue const& catalogue, schema::Parameter 
                               : Words(says::numbered, {{"name", parameter.name}, {"number", number}}),
       .blocks = {},
       .identity = {data("name", parameter.name), data("p_axis", text_or_nothing(number)),
-                   data("meaning", text_or_nothing(wording(what))),
-                   data("detail", text_or_nothing(wording(detail))), data("inferred", is_inferred)}};
+                   data("meaning", text_or_nothing(Wording(what))),
+                   data("detail", text_or_nothing(Wording(detail))), data("inferred", is_inferred)}};
   auto& blocks = section.blocks;
   if (!what.english.empty()) {
     blocks.emplace_back(
-        Paragraph{Words(is_inferred ? says::inferred : says::sentence, {{"phrase", wording(what)}})});
+        Paragraph{Words(is_inferred ? says::inferred : says::sentence, {{"phrase", Wording(what)}})});
   }
-  if (!detail.english.empty()) blocks.emplace_back(Paragraph{as_given(wording(detail))});
+  if (!detail.english.empty()) blocks.emplace_back(Paragraph{as_given(Wording(detail))});
   std::vector<Block> const more{
       facts_of(catalogue, parameter, needs_restart),
       limit_object("minimum", parameter.kind, parameter.minimum),

@@ -27,7 +27,7 @@ namespace axisc {
 using namespace presentation;
 
 Words range_words(Value lowest, bool excludes_lowest, Value highest, bool excludes_highest) {
-  auto const sign = [](bool excludes) { return excludes ? "<" : "≤"; };
+  auto const sign = [](bool excludes) { return Wording(excludes ? "<" : "≤"); };
   bool const has_lowest = !lowest.is_nothing();
   bool const has_highest = !highest.is_nothing();
   return {!has_highest ? says::above

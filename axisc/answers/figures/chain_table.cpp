@@ -1,6 +1,7 @@
-#include "axisc/answers/difference/diff_words.hpp"
+#include "axisc/answers/difference/difference_answer.hpp"
 #include "axisc/answers/execution/port_response.hpp"
 #include "axisc/answers/figures/plots.hpp"
+#include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 #include "image/chain_figures.hpp"
 
@@ -9,12 +10,8 @@
 
 namespace axisc::says {
 
-constexpr Sentence table_axis{"axis", "Achse"};
 constexpr Sentence table_quantity{"quantity", "Größe"};
-constexpr Sentence table_value{"value", "Wert"};
-constexpr Sentence table_before{"before", "vorher"};
 constexpr Sentence table_now{"now", "jetzt"};
-constexpr Sentence table_difference{"difference", "Differenz"};
 constexpr Sentence table_delay{"group delay at 0 Hz [ms]", "Gruppenlaufzeit bei 0 Hz [ms]"};
 constexpr Sentence table_corner{"-3 dB frequency [Hz]", "-3-dB-Frequenz [Hz]"};
 constexpr Sentence table_magnitude{"magnitude at {frequency} Hz [dB]", "Betrag bei {frequency} Hz [dB]"};
@@ -79,13 +76,13 @@ std::map<std::size_t, image::ChainFigures> figures_by_axis(PlottedImage const& i
 
 pictures::Table chain_table(PlotSubject const& subject, std::vector<double> const& marks) {
   pictures::Table table;
-  table.header = {subject.say(says::table_axis), subject.say(says::table_quantity)};
+  table.header = {subject.say(labels::axis), subject.say(says::table_quantity)};
   if (subject.before) {
-    table.header.push_back(subject.say(says::table_before));
+    table.header.push_back(subject.say(labels::before));
     table.header.push_back(subject.say(says::table_now));
-    table.header.push_back(subject.say(says::table_difference));
+    table.header.push_back(subject.say(labels::difference));
   } else {
-    table.header.push_back(subject.say(says::table_value));
+    table.header.push_back(subject.say(labels::value));
   }
   auto const figures = figures_by_axis(subject.now, subject.axes);
   std::vector<std::size_t> old_axes;

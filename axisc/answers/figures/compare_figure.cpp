@@ -3,6 +3,7 @@
 #include "analysis/comparison/overlay.hpp"
 #include "analysis/motion/spectrum.hpp"
 #include "axisc/answers/comparison/compare_answer.hpp"
+#include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -12,11 +13,8 @@ namespace axisc::says {
 
 constexpr Sentence compare_title{"Axis {axis}: the control beside axisc",
                                  "Achse {axis}: die Steuerung neben axisc"};
-constexpr Sentence compare_time{"time", "Zeit"};
-constexpr Sentence compare_frequency{"frequency", "Frequenz"};
 constexpr Sentence compare_position{"position", "Position"};
 constexpr Sentence compare_difference{"recorded - computed", "aufgezeichnet - berechnet"};
-constexpr Sentence compare_spectrum{"difference", "Differenz"};
 constexpr Sentence compare_setpoint{"setpoint", "Sollwert"};
 constexpr Sentence compare_recorded{"recorded", "aufgezeichnet"};
 constexpr Sentence compare_listed{"what axisc computes", "was axisc rechnet"};
@@ -55,7 +53,7 @@ class CompareFigure {
     add_table(figure);
     auto const& shown = computed_.front().overlay;
     double const begin = static_cast<double>(shown.first) * cycle_seconds_;
-    figure.x = {.quantity = say(says::compare_time),
+    figure.x = {.quantity = say(labels::time),
                 .unit = "s",
                 .low = begin,
                 .high = begin + std::max(1.0, static_cast<double>(shown.recorded.size())) * cycle_seconds_};
@@ -168,9 +166,8 @@ class CompareFigure {
 
   [[nodiscard]] pictures::Panel spectra() const {
     double const nyquist = 0.5 / cycle_seconds_;
-    pictures::Panel panel{.y = {.quantity = say(says::compare_spectrum), .unit = recorded_.unit()}};
-    panel.x =
-        pictures::Axis{.quantity = say(says::compare_frequency), .unit = "Hz", .low = 0, .high = nyquist};
+    pictures::Panel panel{.y = {.quantity = say(labels::difference), .unit = recorded_.unit()}};
+    panel.x = pictures::Axis{.quantity = say(labels::frequency), .unit = "Hz", .low = 0, .high = nyquist};
     for (std::size_t i = 0; i < computed_.size(); ++i) {
       auto values = difference(computed_[i].overlay);
       std::erase_if(values, [](double value) { return !std::isfinite(value); });

@@ -1,5 +1,6 @@
 #include "axisc/answers/figures/contour_cases.hpp"
 
+#include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 
 namespace axisc::says {
@@ -9,10 +10,8 @@ constexpr Sentence case_feed{"{feed} mm/min", "{feed} mm/min"};
 constexpr Sentence case_before{"{case}, before", "{case}, vorher"};
 constexpr Sentence case_was{"{quantity}, before", "{quantity}, vorher"};
 constexpr Sentence case_is{"{quantity}, now", "{quantity}, jetzt"};
-constexpr Sentence case_difference{"difference", "Differenz"};
 constexpr Sentence case_header{"case", "Fall"};
 constexpr Sentence case_plane{"plane", "Ebene"};
-constexpr Sentence case_deviation{"contour deviation [µm]", "Bahnabweichung [µm]"};
 
 }  // namespace axisc::says
 
@@ -85,12 +84,12 @@ pictures::Table deviation_table(ContourSubject const& subject, std::vector<Conto
                                 std::vector<double> const& deviations) {
   pictures::Table table;
   table.header = {subject.say(says::case_header), subject.say(says::case_plane),
-                  subject.say(says::case_deviation)};
+                  subject.say(labels::contour_deviation)};
   if (subject.before != nullptr) {
     std::string const quantity = table.header.back();
     table.header.back() = subject.say(says::case_was, {{"quantity", quantity}});
     table.header.push_back(subject.say(says::case_is, {{"quantity", quantity}}));
-    table.header.push_back(subject.say(says::case_difference));
+    table.header.push_back(subject.say(labels::difference));
   }
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (curves[i].role == pictures::Role::before) continue;

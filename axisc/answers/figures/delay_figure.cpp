@@ -1,5 +1,6 @@
 #include "axisc/answers/execution/port_response.hpp"
 #include "axisc/answers/figures/plots.hpp"
+#include "axisc/answers/labels.hpp"
 #include "design/filter_analysis.hpp"
 #include "design/kernel_analysis.hpp"
 #include "diagnostics/format_number.hpp"
@@ -13,13 +14,9 @@ namespace axisc::says {
 constexpr Sentence delay_title{"Group delay at 0 Hz: {axes}", "Gruppenlaufzeit bei 0 Hz: {axes}"};
 constexpr Sentence delay_title_on{"Group delay at 0 Hz, FIR and HSC filters on: {axes}",
                                   "Gruppenlaufzeit bei 0 Hz, FIR- und HSC-Filter an: {axes}"};
-constexpr Sentence delay_quantity{"group delay", "Gruppenlaufzeit"};
-constexpr Sentence delay_axis{"axis", "Achse"};
-constexpr Sentence delay_share{"share", "Anteil"};
 constexpr Sentence delay_before{"{axis}, before", "{axis}, vorher"};
 constexpr Sentence delay_was{"before [ms]", "vorher [ms]"};
 constexpr Sentence delay_is{"now [ms]", "jetzt [ms]"};
-constexpr Sentence delay_difference{"difference", "Differenz"};
 constexpr Sentence delay_kernel{"FIR/HSC filter", "FIR-/HSC-Filter"};
 constexpr Sentence delay_total{"sum", "Summe"};
 constexpr Sentence delay_at_start{"sum at start-up, before #FILTER ON", "Summe ab Hochlauf, vor #FILTER ON"};
@@ -133,13 +130,13 @@ void add_rows(pictures::Table& table, PlotSubject const& subject, AxisDelay cons
 
 pictures::Table delay_table(PlotSubject const& subject, std::vector<AxisDelay> const& delays) {
   pictures::Table table;
-  table.header = {subject.say(says::delay_axis), subject.say(says::delay_share)};
+  table.header = {subject.say(labels::axis), subject.say(labels::share)};
   if (subject.before) {
     table.header.push_back(subject.say(says::delay_was));
     table.header.push_back(subject.say(says::delay_is));
-    table.header.push_back(subject.say(says::delay_difference));
+    table.header.push_back(subject.say(labels::difference));
   } else {
-    table.header.push_back(subject.say(says::delay_quantity) + " [ms]");
+    table.header.push_back(subject.say(labels::group_delay) + " [ms]");
   }
   for (std::size_t i = 0; i < delays.size(); ++i) {
     if (delays[i].was) continue;
@@ -169,7 +166,7 @@ pictures::Figure delay_figure(PlotSubject const& subject) {
   }
   figure.table = delay_table(subject, delays);
   constexpr double row_height = 26;
-  pictures::Panel panel{.y = {.quantity = subject.say(says::delay_axis),
+  pictures::Panel panel{.y = {.quantity = subject.say(labels::axis),
                               .low = -0.5,
                               .high = static_cast<double>(delays.size()) - 0.5},
                         .curves = {},
@@ -204,7 +201,7 @@ pictures::Figure delay_figure(PlotSubject const& subject) {
     return figure;
   }
   double const air = (highest - lowest) * 0.04;
-  figure.x = {.quantity = subject.say(says::delay_quantity),
+  figure.x = {.quantity = subject.say(labels::group_delay),
               .unit = "ms",
               .low = lowest < 0 ? lowest - air : 0,
               .high = highest + air};

@@ -1,6 +1,7 @@
 #include "axisc/answers/figures/path_figure.hpp"
 
 #include "analysis/motion/point.hpp"
+#include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 #include "presentation/pictures/projection.hpp"
 
@@ -15,14 +16,10 @@ constexpr Sentence path_described{"{time} s, largest contour deviation {deviatio
                                   "{time} s, größte Bahnabweichung {deviation} µm in Zeile {line}"};
 constexpr Sentence path_programmed{"programmed", "programmiert"};
 constexpr Sentence path_up_to{"deviation up to {deviation} µm", "Abweichung bis {deviation} µm"};
-constexpr Sentence path_time{"time", "Zeit"};
-constexpr Sentence path_deviation{"deviation", "Abweichung"};
 constexpr Sentence path_velocity_of{"path velocity", "Bahngeschwindigkeit"};
 constexpr Sentence path_acceleration{"acceleration", "Beschleunigung"};
 constexpr Sentence path_mark{"line {line}: {deviation} µm", "Zeile {line}: {deviation} µm"};
 constexpr Sentence path_tolerance{"tolerance", "Toleranz"};
-constexpr Sentence path_line_column{"line", "Zeile"};
-constexpr Sentence path_deviation_column{"contour deviation [µm]", "Bahnabweichung [µm]"};
 constexpr Sentence path_nothing{"The program moves nothing.", "Das Programm bewegt nichts."};
 
 }  // namespace axisc::says
@@ -51,7 +48,7 @@ class PathFigure {
     }
     auto const worst = recorder_.worst_blocks(most_marks);
     describe(figure, worst);
-    figure.x = {.quantity = say(says::path_time), .unit = "s", .low = 0, .high = time(samples_.back())};
+    figure.x = {.quantity = say(labels::time), .unit = "s", .low = 0, .high = time(samples_.back())};
     figure.panels.push_back(plane(worst));
     figure.panels.push_back(deviations());
     figure.panels.push_back(velocities());
@@ -73,7 +70,7 @@ class PathFigure {
   [[nodiscard]] double time(Sample const& sample) const { return (sample.cycle + 1) * plot_.cycle_seconds; }
 
   void describe(pictures::Figure& figure, std::vector<PathRecorder::Block> const& worst) const {
-    figure.table.header = {say(says::path_line_column), say(says::path_deviation_column)};
+    figure.table.header = {say(labels::line), say(labels::contour_deviation)};
     for (auto const& block : worst) {
       figure.table.rows.push_back({std::to_string(block.line), rounded(block.deviation)});
     }
@@ -208,7 +205,7 @@ class PathFigure {
   }
 
   [[nodiscard]] pictures::Panel deviations() const {
-    auto panel = over_time(says::path_deviation, "µm", [&](std::size_t i) { return samples_[i].deviation; });
+    auto panel = over_time(labels::deviation, "µm", [&](std::size_t i) { return samples_[i].deviation; });
     if (!plot_.tolerance_um) return panel;
     panel.y.high = std::max(panel.y.high, *plot_.tolerance_um * 1.06);
     panel.curves.push_back({.name = say(says::path_tolerance),

@@ -2,6 +2,7 @@
 
 #include "analysis/motion/point.hpp"
 #include "analysis/motion/spectrum.hpp"
+#include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -12,16 +13,13 @@ namespace axisc::says {
 constexpr Sentence plant_title{
     "Axis {axis} in its position loop: {distance} mm there and back at {feed} mm/min",
     "Achse {axis} im Lageregelkreis: {distance} mm hin und zurück mit {feed} mm/min"};
-constexpr Sentence plant_time{"time", "Zeit"};
 constexpr Sentence plant_error{"following error", "Schleppabstand"};
 constexpr Sentence plant_acceleration{"load", "Last"};
-constexpr Sentence plant_frequency{"frequency", "Frequenz"};
 constexpr Sentence plant_travelling{"travelling", "Verfahren"};
 constexpr Sentence plant_resting{"at rest", "Stillstand"};
 constexpr Sentence plant_without{"without Improved Position Control", "ohne optimierte Lageregelung"};
 constexpr Sentence plant_with{"with Improved Position Control", "mit optimierter Lageregelung"};
 constexpr Sentence plant_alone{"load", "Last"};
-constexpr Sentence plant_phase{"phase", "Phase"};
 constexpr Sentence plant_oscillation{"oscillation [Hz]", "Schwingung [Hz]"};
 constexpr Sentence plant_amplitude_without{"without [m/s²]", "ohne [m/s²]"};
 constexpr Sentence plant_amplitude_with{"with [m/s²]", "mit [m/s²]"};
@@ -47,7 +45,7 @@ class PlantFigure {
                                            {"feed", format_rounded(figures.feed_mm_per_min, shown_digits)}});
     add_table(figure);
     auto const cycles = std::max(run_.without.cycles.size(), run_.with.cycles.size());
-    figure.x = {.quantity = say(says::plant_time),
+    figure.x = {.quantity = say(labels::time),
                 .unit = "s",
                 .low = 0,
                 .high = std::max(1.0, static_cast<double>(cycles)) * run_.cycle_seconds};
@@ -68,7 +66,7 @@ class PlantFigure {
   }
 
   void add_table(pictures::Figure& figure) const {
-    figure.table.header = {say(says::plant_phase), say(says::plant_oscillation),
+    figure.table.header = {say(labels::phase), say(says::plant_oscillation),
                            say(says::plant_amplitude_without), say(says::plant_amplitude_with)};
     for (auto const& found : run_.figures.oscillations) {
       bool const travels = found.phase == motion::MovePhase::travel;
@@ -127,7 +125,7 @@ class PlantFigure {
     auto const [lowest, highest] = oscillation_band(run_.cycle_seconds);
     pictures::Panel panel{.y = {.quantity = say(phase_name), .unit = "m/s²"}, .curves = curves()};
     panel.x =
-        pictures::Axis{.quantity = say(says::plant_frequency), .unit = "Hz", .low = lowest, .high = highest};
+        pictures::Axis{.quantity = say(labels::frequency), .unit = "Hz", .low = lowest, .high = highest};
     for (auto& curve : panel.curves) {
       auto const accelerations = load_accelerations(record(curve), phase, false);
       auto const points = accelerations.empty() ? 0 : static_cast<int>((highest - lowest) / spectrum_step);

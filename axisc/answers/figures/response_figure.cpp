@@ -1,5 +1,6 @@
 #include "axisc/answers/execution/port_response.hpp"
 #include "axisc/answers/figures/plots.hpp"
+#include "axisc/answers/labels.hpp"
 #include "design/filter_analysis.hpp"
 #include "design/kernel_analysis.hpp"
 #include "diagnostics/format_number.hpp"
@@ -21,10 +22,6 @@ constexpr Sentence described{"{axis}: group delay at 0 Hz {delay} ms, {corner}",
                              "{axis}: Gruppenlaufzeit bei 0 Hz {delay} ms, {corner}"};
 constexpr Sentence described_corner{"-3 dB at {frequency} Hz", "-3 dB bei {frequency} Hz"};
 constexpr Sentence described_no_corner{"above -3 dB at all frequencies", "über -3 dB bei allen Frequenzen"};
-constexpr Sentence frequency{"frequency", "Frequenz"};
-constexpr Sentence magnitude{"magnitude", "Betrag"};
-constexpr Sentence phase{"phase", "Phase"};
-constexpr Sentence delay{"group delay", "Gruppenlaufzeit"};
 constexpr Sentence whole_chain{"{axis}, whole chain", "{axis}, ganze Kette"};
 constexpr Sentence chain_before{"{axis}, before", "{axis}, vorher"};
 constexpr Sentence measured_curve{"measured", "gemessen"};
@@ -106,7 +103,7 @@ class ResponseFigure {
     figure.table = chain_table(subject_, wanted_.marks);
     double const nyquist = 0.5 / contents_.cycle_time.seconds();
     constexpr double decades = 1e-4;
-    figure.x = {.quantity = subject_.say(says::frequency),
+    figure.x = {.quantity = subject_.say(labels::frequency),
                 .unit = "Hz",
                 .scale = wanted_.linear_frequency ? pictures::Scale::linear : pictures::Scale::logarithmic,
                 .low = wanted_.linear_frequency ? 0 : nyquist * decades,
@@ -210,7 +207,7 @@ class ResponseFigure {
 
   [[nodiscard]] pictures::Panel magnitude_panel(pictures::Axis const& x) const {
     pictures::Panel panel;
-    panel.y = {.quantity = subject_.say(says::magnitude), .unit = wanted_.linear_magnitude ? "" : "dB"};
+    panel.y = {.quantity = subject_.say(labels::magnitude), .unit = wanted_.linear_magnitude ? "" : "dB"};
     double highest = 1;
     for (auto const& source : sources_) {
       for (auto const& point : pictures::sample(
@@ -272,7 +269,7 @@ class ResponseFigure {
   [[nodiscard]] pictures::Panel phase_panel(pictures::Axis const& x) const {
     constexpr double half_turn = 180;
     pictures::Panel panel;
-    panel.y = {.quantity = subject_.say(says::phase), .unit = "°", .low = -half_turn, .high = half_turn};
+    panel.y = {.quantity = subject_.say(labels::phase), .unit = "°", .low = -half_turn, .high = half_turn};
     // Of nothing that passes there is no phase.
     constexpr double nothing = 1e-12;
     panel.curves = curves(x, panel.y, [](design::ResponsePoint const& point) {
@@ -294,7 +291,7 @@ class ResponseFigure {
   [[nodiscard]] pictures::Panel delay_panel(pictures::Axis const& x) const {
     pictures::Panel panel;
     auto const quantity = [](design::ResponsePoint const& point) { return point.group_delay_s * 1e3; };
-    panel.y = {.quantity = subject_.say(says::delay), .unit = "ms", .low = -1, .high = 1};
+    panel.y = {.quantity = subject_.say(labels::group_delay), .unit = "ms", .low = -1, .high = 1};
     panel.curves = curves(x, panel.y, quantity);
     fit(panel, contents_.cycle_time.seconds() * 1e3);
     panel.curves = curves(x, panel.y, quantity);

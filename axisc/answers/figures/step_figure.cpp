@@ -1,4 +1,5 @@
 #include "axisc/answers/figures/plots.hpp"
+#include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 #include "image/chain_figures.hpp"
 
@@ -14,7 +15,6 @@ constexpr Sentence step_described{"{axis}: overshoot {overshoot} %, {settling}",
 constexpr Sentence step_settled{"within 0.01 % after {time} ms", "nach {time} ms auf 0,01 % eingeschwungen"};
 constexpr Sentence step_unsettled{"not within 0.01 % after {time} ms",
                                   "nach {time} ms nicht auf 0,01 % eingeschwungen"};
-constexpr Sentence time{"time", "Zeit"};
 constexpr Sentence position{"position", "Lage"};
 constexpr Sentence velocity{"velocity", "Geschwindigkeit"};
 constexpr Sentence acceleration{"acceleration", "Beschleunigung"};
@@ -81,7 +81,7 @@ class StepFigure {
     figure.table = chain_table(subject_, {});
     double longest = 0;
     for (auto const& chain : chains_) longest = std::max(longest, chain.shown_time());
-    figure.x = {.quantity = subject_.say(says::time), .unit = "ms", .low = 0, .high = longest};
+    figure.x = {.quantity = subject_.say(labels::time), .unit = "ms", .low = 0, .high = longest};
     std::vector<Signal> const positions = answers(longest);
     std::vector<Signal> velocities;
     std::vector<Signal> accelerations;

@@ -2,6 +2,7 @@
 
 #include "axisc/answers/axis_type.hpp"
 #include "axisc/answers/inspect/inspect_parts.hpp"
+#include "axisc/answers/labels.hpp"
 #include "axisc/asked/filter_symbols.hpp"
 #include "axisc/files/key_file.hpp"
 #include "image/image_readings.hpp"
@@ -16,7 +17,6 @@ namespace axisc::says {
 constexpr Sentence image{"coefficient image {file}", "Koeffizientenabbild {file}"};
 constexpr Sentence format{"format", "Format"};
 constexpr Sentence size{"size", "Größe"};
-constexpr Sentence compiler{"compiled by", "kompiliert mit"};
 constexpr Sentence image_version{"image version", "Abbildversion"};
 constexpr Sentence signature{"signature", "Signatur"};
 constexpr Sentence not_signed{"none", "keine"};
@@ -27,9 +27,7 @@ constexpr Sentence memory{"memory", "Speicher"};
 constexpr Sentence memory_value{"{bytes}, aligned to {alignment}", "{bytes}, ausgerichtet auf {alignment}"};
 constexpr Sentence digest{"all sources", "alle Quellen"};
 constexpr Sentence sha{"SHA-256 {digest}", "SHA-256 {digest}"};
-constexpr Sentence lists{"lists", "Listen"};
 constexpr Sentence stripped{"none (compiled with --strip)", "keine (mit --strip kompiliert)"};
-constexpr Sentence axis_title{"axis {axis}", "Achse {axis}"};
 constexpr Sentence velocity{"velocity limit", "Höchstgeschwindigkeit"};
 constexpr Sentence acceleration{"acceleration limit", "Höchstbeschleunigung"};
 constexpr Sentence window{"position window", "Positionsfenster"};
@@ -41,7 +39,6 @@ constexpr Sentence unsettled{"does not settle within 0.01 % in {cycles} ({time})
                              "nach {cycles} ({time}) nicht auf 0,01 % eingeschwungen"};
 constexpr Sentence corner{"-3 dB", "-3 dB"};
 constexpr Sentence no_corner{"nowhere up to 0.5/T", "nirgends bis 0,5/T"};
-constexpr Sentence magnitude{"magnitude", "Betrag"};
 constexpr Sentence nothing_passes{"nothing passes", "nichts geht durch"};
 constexpr Sentence no_filter{"no filter: setpoints pass unchanged",
                              "kein Filter: Sollwerte gehen unverändert durch"};
@@ -82,7 +79,7 @@ Section chain_section(image::ImageContents const& image, std::size_t axis, image
       magnitude = rounded(*decibels, Unit::decibel);
     }
     add_row(magnitudes, {{"frequency_hz", labels::frequency, rounded(frequency.value, Unit::hertz)},
-                         {"magnitude_db", says::magnitude, std::move(magnitude)}});
+                         {"magnitude_db", labels::magnitude, std::move(magnitude)}});
   }
   Facts facts{{data("settling_ms", value_if(chain.settling_cycles.has_value(), time)),
                shown(says::step, step),
@@ -108,7 +105,7 @@ Section axis_section(image::ImageContents const& image, std::size_t index,
                      image::ChainFigures const& figures) {
   auto const& axis = image.axes[index];
   Section section{.key = {},
-                  .title = Words(says::axis_title, {{"axis", axis_label(image, index)}}),
+                  .title = Words(labels::one_axis, {{"axis", axis_label(image, index)}}),
                   .blocks = {chain_section(image, index, figures)}};
   auto& blocks = section.blocks;
   if (axis.filters.empty() && !axis.slot) blocks.emplace_back(Paragraph{says::no_filter});
@@ -191,7 +188,7 @@ std::vector<Block> head(InspectQuestion const& question, ImageFile const& file) 
        {"size", says::size, exact(static_cast<double>(image.size), Unit::byte)},
        {"cycle_time_us", labels::cycle_time, exact(image.cycle_time.microseconds(), Unit::microsecond)},
        data("compiler_version", image.compiler_version),
-       shown(says::compiler, "axisc " + image.compiler_version),
+       shown(labels::compiler, "axisc " + image.compiler_version),
        {"image_version", says::image_version, image.image_version}}};
   auto& fields = facts.fields;
   std::vector<Block> objects{
@@ -214,7 +211,7 @@ std::vector<Block> head(InspectQuestion const& question, ImageFile const& file) 
   }
   fields.push_back(data("source_digest", digest));
   fields.push_back(shown(says::digest, Words(says::sha, {{"digest", digest}})));
-  if (image.lists.empty()) fields.push_back(shown(says::lists, Words(says::stripped)));
+  if (image.lists.empty()) fields.push_back(shown(labels::lists, Words(says::stripped)));
   Table lists{.key = "lists"};
   for (auto const& [name, sha256] : image.lists) {
     add_row(lists, {{"name", labels::list, name}, {"sha256", as_given("SHA-256"), hexadecimal(sha256)}});

@@ -1,4 +1,5 @@
 #include "axisc/answers/inspect/inspect_parts.hpp"
+#include "axisc/answers/labels.hpp"
 #include "axisc/asked/filter_symbols.hpp"
 #include "image/chain_figures.hpp"
 
@@ -35,7 +36,6 @@ constexpr Sentence stage{
     "stage[{index}] {mode}, weight {weight} ({numerator}/{denominator}), subtracted",
     "stage[{index}] {mode}, Gewicht {weight} ({numerator}/{denominator}), wird abgezogen"};
 constexpr Sentence oscillator{"oscillator", "Schwinger"};
-constexpr Sentence damping{"damping", "Dämpfung"};
 
 }  // namespace axisc::says
 
@@ -121,7 +121,7 @@ Section stage_section(image::ImageStage const& stage, design::CycleTime cycle_ti
                       {"order", labels::order, value_if(!swings, wanted.order)},
                       {"frequency_hz", labels::frequency, exact(wanted.frequency.value, Unit::hertz)},
                       {"quality", labels::quality, value_if(has_quality, exact(wanted.quality))},
-                      {"damping", says::damping, value_if(swings, exact(wanted.quality))},
+                      {"damping", labels::damping, value_if(swings, exact(wanted.quality))},
                       {"pole_radius", says::pole_radius, radius_value(made.pole_radius)},
                       {"dc_gain", says::dc_gain, rounded(made.dc_gain)},
                       {"self_test_samples", labels::self_test, filter.self_test_input.size()}});

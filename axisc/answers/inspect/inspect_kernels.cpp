@@ -1,4 +1,5 @@
 #include "axisc/answers/inspect/inspect_parts.hpp"
+#include "axisc/answers/labels.hpp"
 #include "design/kernel_analysis.hpp"
 #include "design/kernel_kinds.hpp"
 
@@ -18,7 +19,6 @@ constexpr Sentence novib{"NoVib", "NoVib"};
 constexpr Sentence taps{"taps", "Koeffizienten"};
 constexpr Sentence sum{"sum of the taps", "Summe der Koeffizienten"};
 constexpr Sentence zeros{"no gain at", "keine Verstärkung bei"};
-constexpr Sentence channel{"channel {name}", "Kanal {name}"};
 constexpr Sentence command{"command", "Befehl"};
 constexpr Sentence change{"change in motion", "Wechsel in Bewegung"};
 constexpr Sentence fade{"over {cycles} ({time})", "über {cycles} ({time})"};
@@ -153,7 +153,7 @@ Sections channel_sections(image::ImageContents const& image, std::span<std::size
     auto const number = std::to_string(channels.items.size() + 1);
     channels.items.push_back(
         {.key = {},
-         .title = Words(says::channel, {{"name", group.name.empty() ? number : group.name}}),
+         .title = Words(labels::one_channel, {{"name", group.name.empty() ? number : group.name}}),
          .blocks = {Facts{{data("axes", std::move(names))}}, std::move(banks),
                     Facts{{data("off_fade_cycles", group.off_fade_cycles)}}, commands_table(image, group)},
          .identity = {data("name", group.name)},

@@ -15,7 +15,6 @@ constexpr Sentence machine{"machine {machine}", "Maschine {machine}"};
 constexpr Sentence cycle_time_at{"{time} ({place})", "{time} ({place})"};
 constexpr Sentence no_cycle_time{"unknown; `--cycle-time` gives it", "unbekannt; `--cycle-time` gibt sie an"};
 constexpr Sentence default_list{"default list", "Standardliste"};
-constexpr Sentence drive{"drive", "Antrieb"};
 constexpr Sentence gantry{"gantry", "Gantry"};
 constexpr Sentence named_in{"named in", "genannt in"};
 constexpr Sentence master{"master", "Master"};
@@ -81,7 +80,7 @@ Table axes_table(LoadedMachine const& machine, SourceSet const& sources) {
          {"number", labels::number, number.unusable ? Value("?") : Value(exact(number.value.number))},
          {"list", labels::list, machine.lists[axis.list].name},
          {"type", labels::type, axis_type_symbol(axis.type)},
-         {"drive", says::drive, drive == nullptr ? Value("?") : validator::drive_name(*drive)},
+         {"drive", labels::drive, drive == nullptr ? Value("?") : validator::drive_name(*drive)},
          {"channel", labels::channel, channels},
          {"gantry", says::gantry, gantry_of(machine, index)},
          {"named_in", says::named_in,

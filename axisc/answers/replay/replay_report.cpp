@@ -1,5 +1,6 @@
 #include "axisc/answers/replay/replay_report.hpp"
 
+#include "axisc/answers/labels.hpp"
 #include "axisc/files/image_file.hpp"
 #include "diagnostics/format_number.hpp"
 
@@ -8,8 +9,6 @@
 namespace axisc::says {
 
 constexpr Sentence title{"replay of {cycles} cycles", "Wiederholung von {cycles} Zyklen"};
-constexpr Sentence cycle_time{"NC cycle time", "NC-Zykluszeit"};
-constexpr Sentence axes{"axes", "Achsen"};
 constexpr Sentence instruction_set{"instruction set", "Befehlssatz"};
 constexpr Sentence cycle{"cycle", "Zyklus"};
 constexpr Sentence last_cycle{"last cycle", "letzter Zyklus"};
@@ -195,11 +194,11 @@ Document ReplayReport::answer(std::uint32_t level) const {
       .title = Words(says::title, {{"cycles", cycles_}}),
       .blocks = {Facts{{data("cycles", cycles_),
                         {.key = "cycle_time_us",
-                         .label = says::cycle_time,
+                         .label = labels::cycle_time,
                          .value = Quantity{.value = image_.cycle_time.microseconds(),
                                            .unit = Unit::microsecond,
                                            .digits = Digits::exact()}},
-                        {.key = "axis_count", .label = says::axes, .value = image_.axes.size()},
+                        {.key = "axis_count", .label = labels::axes, .value = image_.axes.size()},
                         {.key = "level", .label = says::instruction_set, .value = level_name(level)},
                         data("differences", differences_)}},
                  std::move(events)},

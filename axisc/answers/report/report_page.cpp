@@ -1,10 +1,12 @@
 #include "axisc/answers/report/report_page.hpp"
 
+#include "axisc/answers/labels.hpp"
 #include "axisc/answers/report/html.hpp"
+#include "axisc/asked/filter_symbols.hpp"
 #include "axisc/checking/report_format.hpp"
-#include "diagnostics/format_number.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
+#include "presentation/writers.hpp"
 
 namespace axisc::says {
 
@@ -16,13 +18,7 @@ constexpr Sentence verdict_warnings{"Can be compiled; look at the warnings: {cou
 constexpr Sentence verdict_good{"Ready: {counts}.", "Bereit: {counts}."};
 constexpr Sentence counted{"errors: {errors}, warnings: {warnings}, notes: {notes}",
                            "Fehler: {errors}, Warnungen: {warnings}, Hinweise: {notes}"};
-constexpr Sentence fact_cycle{"NC cycle time", "NC-Zykluszeit"};
-constexpr Sentence fact_axes{"axes", "Achsen"};
-constexpr Sentence fact_compiler{"compiled by", "kompiliert mit"};
 constexpr Sentence fact_sources{"SHA-256 of all sources", "SHA-256 aller Quellen"};
-constexpr Sentence facts_head{"machine", "Maschine"};
-constexpr Sentence facts_value{"value", "Wert"};
-constexpr Sentence lists_head{"list", "Liste"};
 constexpr Sentence content_of{"contents", "Inhalt"};
 constexpr Sentence part_findings{"Findings", "Befunde"};
 constexpr Sentence part_changes{"Changes", "Änderungen"};
@@ -47,16 +43,6 @@ nav ul{list-style:none;padding:0;display:flex;flex-wrap:wrap;gap:.3rem 1.2rem}su
 )";
 }
 
-std::string hex(std::array<std::uint8_t, 32> const& digest) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (auto const byte : digest) {
-    text += digits[byte >> 4U];
-    text += digits[byte & 0x0FU];
-  }
-  return text;
-}
-
 std::string verdict(ReportSubject const& subject) {
   auto const& counts = subject.counts;
   auto const counted = subject.say(says::counted, {{"errors", std::to_string(counts.errors)},
@@ -71,19 +57,20 @@ std::string verdict(ReportSubject const& subject) {
 }
 
 std::string facts(ReportSubject const& subject) {
+  using namespace presentation;
   if (!subject.plots) return {};
   auto const& contents = subject.plots->contents();
-  pictures::Table table;
-  table.header = {subject.say(says::facts_head), subject.say(says::facts_value)};
-  table.rows = {{subject.say(says::fact_cycle),
-                 exact_number(contents.cycle_time.microseconds()).in(subject.language) + " µs"},
-                {subject.say(says::fact_axes), subject.plots->names()},
-                {subject.say(says::fact_compiler), "axisc " + contents.compiler_version},
-                {subject.say(says::fact_sources), hex(contents.source_digest)}};
-  pictures::Table lists;
-  lists.header = {subject.say(says::lists_head), "SHA-256"};
-  for (auto const& list : contents.lists) lists.rows.push_back({list.name, hex(list.sha256)});
-  return pictures::table_element(table) + pictures::table_element(lists);
+  Table lists{.key = {}};
+  for (auto const& [name, sha256] : contents.lists) {
+    add_row(lists, {shown(labels::list, name), shown(as_given("SHA-256"), hexadecimal(sha256))});
+  }
+  return html_of(
+      {Facts{{shown(labels::cycle_time, exact(contents.cycle_time.microseconds(), Unit::microsecond)),
+              shown(labels::axes, subject.plots->names()),
+              shown(labels::compiler, "axisc " + contents.compiler_version),
+              shown(says::fact_sources, hexadecimal(contents.source_digest))}},
+       std::move(lists)},
+      2, {.language = subject.language});
 }
 
 struct Part {

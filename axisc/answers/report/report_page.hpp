@@ -2,7 +2,7 @@
 // a network and without scripts.
 #pragma once
 
-#include "axisc/answers/difference/diff_formats.hpp"
+#include "axisc/answers/difference/difference_answer.hpp"
 #include "axisc/answers/figures/plots.hpp"
 #include "diagnostics/finding.hpp"
 

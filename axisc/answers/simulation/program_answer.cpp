@@ -1,6 +1,7 @@
 #include "axisc/answers/simulation/program_answer.hpp"
 
 #include "analysis/motion/point.hpp"
+#include "axisc/answers/labels.hpp"
 
 #include <iterator>
 
@@ -12,10 +13,7 @@ constexpr Sentence passes{"passes: from one #FILTER command to the next",
                           "Durchgänge: von einem #FILTER-Befehl zum nächsten"};
 constexpr Sentence block{"block", "Satz"};
 constexpr Sentence pass{"pass", "Durchgang"};
-constexpr Sentence line{"line", "Zeile"};
-constexpr Sentence time{"time", "Zeit"};
 constexpr Sentence axis_error{"axis error", "Achsfehler"};
-constexpr Sentence deviation{"deviation", "Abweichung"};
 constexpr Sentence lag{"lag", "Nachlauf"};
 constexpr Sentence filters{"filters", "Filter"};
 constexpr Sentence start{"as at start-up", "wie beim Hochlauf"};
@@ -36,12 +34,12 @@ Quantity micrometres(double units, int decimals) {
 
 Table table_with(std::string const& key, SentenceRef label, SimulatedPath const& path) {
   Table table{
-      .key = key + "s", .columns = {head_column(key, label), head_column("line", says::line)}, .rows = {}};
+      .key = key + "s", .columns = {head_column(key, label), head_column("line", labels::line)}, .rows = {}};
   auto& columns = table.columns;
-  columns.push_back(column("time_s", says::time, Unit::second));
+  columns.push_back(column("time_s", labels::time, Unit::second));
   columns.push_back(column("max_axis_error_um", says::axis_error, Unit::micrometre));
   for (auto const& axis : path.axes) columns.push_back(data_column("axis_error_um", axis));
-  columns.push_back(column("max_contour_deviation_um", says::deviation, Unit::micrometre));
+  columns.push_back(column("max_contour_deviation_um", labels::deviation, Unit::micrometre));
   columns.push_back(column("max_lag_um", says::lag, Unit::micrometre));
   return table;
 }

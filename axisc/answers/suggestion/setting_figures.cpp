@@ -1,14 +1,12 @@
 #include "analysis/motion/point.hpp"
+#include "axisc/answers/labels.hpp"
 #include "axisc/answers/suggestion/suggest_answer.hpp"
 
 namespace axisc::says {
 
 constexpr Sentence setting{"setting", "Einstellung"};
-constexpr Sentence present{"present", "jetzt"};
 constexpr Sentence vibration{"remaining vibration, worst case", "verbleibende Schwingung, ungünstigst"};
 constexpr Sentence amplitude{"after a ramp, at {frequency}", "nach einer Rampe, bei {frequency}"};
-constexpr Sentence delay{"delay", "Verzögerung"};
-constexpr Sentence overshoot{"overshoot of a step", "Überschwingen eines Sprungs"};
 constexpr Sentence corner{"corner, 90°: axis error", "Ecke, 90°: Achsfehler"};
 constexpr Sentence corner_deviation{"corner, 90°: deviation", "Ecke, 90°: Abweichung"};
 constexpr Sentence corner_feed{"corner: feed within tolerance", "Ecke: Vorschub in der Toleranz"};
@@ -51,8 +49,8 @@ std::vector<Field> figures_of(Suggestion const& suggestion, Setting const& setti
   Words const on_circle(says::circle, {{"radius", rounded(suggestion.radius_mm, Unit::millimetre, 6)}});
   for (Field& field : std::vector<Field>{
            data("delay_cycles", figures.delay),
-           {"delay_ms", says::delay, delay_of(suggestion, figures)},
-           {"overshoot", says::overshoot, share(figures.overshoot)},
+           {"delay_ms", labels::delay, delay_of(suggestion, figures)},
+           {"overshoot", labels::step_overshoot, share(figures.overshoot)},
            {"corner", says::corner, micrometres(corner.largest_axis_error()), {}, "max_axis_error_um"},
            {"corner", says::corner_deviation, micrometres(corner.deviation), {}, "contour_deviation_um"},
            {"corner", says::corner_feed, feed(corner_feed), {}, "allowed_feed_mm_per_min"},
@@ -86,7 +84,7 @@ Table settings_table(Suggestion const& suggestion) {
       .key = {}, .columns = {head_column({}, says::setting)}, .rows = {}, .audience = Audience::people};
   std::vector<std::vector<Field>> settings;
   if (suggestion.present) {
-    table.columns.push_back(column({}, says::present));
+    table.columns.push_back(column({}, labels::present));
     settings.push_back(figures_of(suggestion, *suggestion.present));
   }
   for (std::size_t i = 0; i < tuning::senses; ++i) {

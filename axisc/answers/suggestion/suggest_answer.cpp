@@ -1,5 +1,6 @@
 #include "axisc/answers/suggestion/suggest_answer.hpp"
 
+#include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <array>
@@ -14,7 +15,6 @@ constexpr Sentence title{
 constexpr Sentence no_filters{"axis {axis}: no filters are suggested; {count} settings compared",
                               "Achse {axis}: keine Filter vorgeschlagen; {count} Einstellungen verglichen"};
 constexpr Sentence measured{"measured", "gemessen"};
-constexpr Sentence damping{"damping", "Dämpfung"};
 constexpr Sentence uncertainty{"±", "±"};
 constexpr Sentence coherence{"coherence", "Kohärenz"};
 constexpr Sentence spectrum{
@@ -87,7 +87,7 @@ void add_measured(std::vector<Block>& blocks, MeasuredResonances const& measured
   blocks.emplace_back(table_of(
       "measured",
       {column("frequency_hz", says::measured, Unit::hertz),
-       column("frequency_uncertainty_hz", says::uncertainty, Unit::hertz), column("damping", says::damping),
+       column("frequency_uncertainty_hz", says::uncertainty, Unit::hertz), column("damping", labels::damping),
        column("damping_uncertainty", says::uncertainty), column("coherence", says::coherence)},
       measured.peaks, [](tuning::Peak const& peak) {
         return Row{fixed(peak.frequency, Unit::hertz, 2), fixed(peak.frequency_uncertainty, Unit::hertz, 2),

@@ -1,6 +1,7 @@
 #include "axisc/answers/suggestion/suggest_figure.hpp"
 
 #include "analysis/tuning/suggestion/impulse_response.hpp"
+#include "axisc/answers/labels.hpp"
 #include "axisc/answers/suggestion/suggest_answer.hpp"
 #include "axisc/environment/failure.hpp"
 #include "diagnostics/format_number.hpp"
@@ -17,11 +18,7 @@ constexpr Sentence title{"Suggestions for axis {axis}", "Vorschläge für Achse 
 constexpr Sentence described{
     "{setting}: {chain}, {vibration} % of the vibration remain, {delay} ms delay",
     "{setting}: {chain}, {vibration} % der Schwingung bleiben, {delay} ms Verzögerung"};
-constexpr Sentence frequency{"frequency", "Frequenz"};
-constexpr Sentence gain{"gain", "Verstärkung"};
-constexpr Sentence time{"time", "Zeit"};
 constexpr Sentence step{"step response", "Sprungantwort"};
-constexpr Sentence present_curve{"present", "jetzt"};
 
 }  // namespace axisc::says
 
@@ -48,7 +45,7 @@ struct Shown {
 std::vector<Shown> shown_settings(Suggestion const& suggestion, Language language) {
   std::vector<Shown> shown;
   if (suggestion.present) {
-    shown.push_back({.name = say(language, says::present_curve),
+    shown.push_back({.name = say(language, labels::present),
                      .role = pictures::Role::before,
                      .colour = tuning::senses,
                      .setting = &*suggestion.present});
@@ -74,7 +71,7 @@ pictures::Curve curve_of(Shown const& shown) {
 pictures::Panel gain_panel(std::vector<Shown> const& settings, pictures::Axis const& x, double T,
                            Language language) {
   pictures::Panel panel;
-  panel.y = {.quantity = say(language, says::gain), .unit = "dB", .low = lowest_gain, .high = highest_gain};
+  panel.y = {.quantity = say(language, labels::gain), .unit = "dB", .low = lowest_gain, .high = highest_gain};
   for (auto const& shown : settings) {
     auto curve = curve_of(shown);
     for (int i = 0; i <= frequencies; ++i) {
@@ -94,7 +91,7 @@ pictures::Panel step_panel(std::vector<Shown> const& settings, double T, Languag
   std::size_t longest = 0;
   for (auto const& shown : settings) longest = std::max(longest, shown.response.taps.size());
   double const milli = T * 1e3;
-  panel.x = pictures::Axis{.quantity = say(language, says::time),
+  panel.x = pictures::Axis{.quantity = say(language, labels::time),
                            .unit = "ms",
                            .low = 0,
                            .high = milli * static_cast<double>(longest + 2)};
@@ -134,7 +131,7 @@ pictures::Figure suggest_figure(Suggested const& suggested, Language language) {
                                {"vibration", format_fixed(shown.setting->figures.vibration * 100, 1)},
                                {"delay", format_fixed(shown.setting->figures.delay * T * 1e3, 1)}});
   }
-  figure.x = {.quantity = say(language, says::frequency),
+  figure.x = {.quantity = say(language, labels::frequency),
               .unit = "Hz",
               .scale = pictures::Scale::logarithmic,
               .low = 1,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace axisc::comparison {
 namespace {
@@ -34,6 +35,57 @@ TEST_CASE("the backward Euler method makes of a lag what textbooks say") {
   double const a = 1.0 / 11;
   CHECK(std::abs(answer[1] - a) < 1e-9);
   CHECK(std::abs(answer[2] - (a + (1 - a) * a)) < 1e-9);
+}
+
+/// y[n] = b0 x[n] + b1 x[n-1] + b2 x[n-2] - a1 y[n-1] - a2 y[n-2] for the Butterworth filter of order 2 with -3 dB at
+/// `frequency`: H(s) = 1/(s² + √2 s + 1), or s² above it for a high-pass, with s = (1 - z⁻¹)/(K (1 + z⁻¹)),
+/// K = tan(π f T). From rest at the first input.
+std::vector<double> butterworth(bool is_highpass, double frequency, std::vector<double> const& input) {
+  long double const k = std::tan(std::acos(-1.0L) * frequency * 1e-3L);
+  long double const norm = 1 / (1 + std::sqrt(2.0L) * k + k * k);
+  long double const b0 = (is_highpass ? 1 : k * k) * norm;
+  long double const b1 = is_highpass ? -2 * b0 : 2 * b0;
+  long double const a1 = 2 * (k * k - 1) * norm;
+  long double const a2 = (1 - std::sqrt(2.0L) * k + k * k) * norm;
+  long double x1 = input.front();
+  long double x2 = x1;
+  long double y1 = is_highpass ? 0 : x1;
+  long double y2 = y1;
+  std::vector<double> answer;
+  for (long double const x : input) {
+    long double const y = b0 * x + b1 * x1 + b0 * x2 - a1 * y1 - a2 * y2;
+    x2 = std::exchange(x1, x);
+    y2 = std::exchange(y1, y);
+    answer.push_back(static_cast<double>(y));
+  }
+  return answer;
+}
+
+TEST_CASE("filters answer as the recursion of the textbook, and a share mixes them with their input") {
+  std::vector<double> input;
+  for (int n = 0; n < 2000; ++n) input.push_back(1e5 + (n % 300 < 170 ? 7.0 * n : 4e3 - 3.0 * n));
+  for (bool const is_highpass : {false, true}) {
+    for (double const frequency : {3.0, 40.0, 310.0}) {
+      for (double const share : {1.0, 0.6}) {
+        auto link = link_of(design::design_filter(
+            {.type = is_highpass ? design::FilterType::highpass : design::FilterType::lowpass,
+             .prototype = design::Prototype::butterworth,
+             .order = 2,
+             .frequency = {frequency}},
+            cycle_time, design::Precision::quick));
+        link.share = share;
+        auto const answer = respond({link}, input);
+        auto const expected = butterworth(is_highpass, frequency, input);
+        INFO(is_highpass << ' ' << frequency << ' ' << share);
+        double largest = 0;
+        for (std::size_t n = 0; n < input.size(); ++n) {
+          double const mixed = input[n] + share * (expected[n] - input[n]);
+          largest = std::max(largest, std::abs(answer[n] - mixed));
+        }
+        CHECK(largest < 1e-6);
+      }
+    }
+  }
 }
 
 TEST_CASE("pieces of an input have the answer of the whole") {

@@ -109,7 +109,7 @@ TEST_CASE("what run refuses") {
   check({"--input", "side.csv"}, "error[AX9005]: side.csv:1:1");
   check({"--input", "missing.csv"}, "error[AX9001]");
   check({"--input", "."}, "error[AX9001]");
-  check({"--input", "good.csv", "--signal", "step"}, "--signal belongs to a signal");
+  check({"--input", "good.csv", "--signal", "step"}, "--signal cannot be used together with --input");
   check({"--signal", "sin:1"}, "\"sin:1\" is not a signal");
   check({"--cycles", "-1"}, "--cycles needs a positive whole number");
   check({"--amplitude", "1,5"}, "--amplitude needs a number");

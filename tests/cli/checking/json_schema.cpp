@@ -1,12 +1,5 @@
-#include "axisc/settings/json_schema.hpp"
+#include "cli/checking/json_schema.hpp"
 
-#include "axisc/settings/finding_shape.hpp"
-#include "axisc/settings/plant_file.hpp"
-#include "axisc/settings/schema_file.hpp"
-#include "axisc/settings/settings.hpp"
-#include "configuration/machine_file.hpp"
-
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -14,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace axisc {
+namespace axisc::test {
 
 namespace {
 
@@ -143,19 +136,10 @@ Json schema_of(JsonShape const& shape) {
 
 }  // namespace
 
-std::span<JsonFileKind const> json_file_kinds() {
-  static std::array<JsonFileKind, 5> const kinds{{{"machine", configuration::machine_file_shape},
-                                                  {"settings", settings_shape},
-                                                  {"plant", plant_file_shape},
-                                                  {"schema", schema_file_shape},
-                                                  {"finding", finding_shape}}};
-  return kinds;
-}
-
 std::string json_schema(JsonShape const& shape) {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}};
   schema.update(schema_of(shape));
   return schema.dump(2) + "\n";
 }
 
-}  // namespace axisc
+}  // namespace axisc::test

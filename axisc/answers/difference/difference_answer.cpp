@@ -1,0 +1,197 @@
+#include "axisc/answers/difference/difference_answer.hpp"
+
+#include "axisc/answers/difference/difference_parts.hpp"
+#include "axisc/answers/labels.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace axisc::says {
+
+constexpr Sentence compared{"{before} → {after}", "{before} → {after}"};
+constexpr Sentence nothing{"{before} and {after} mean the same", "{before} und {after} bedeuten dasselbe"};
+constexpr Sentence after{"after", "nachher"};
+constexpr Sentence present{"present", "vorhanden"};
+constexpr Sentence spindles{"spindles", "Spindeln"};
+constexpr Sentence couplings{"coupled (slave = master)", "gekoppelt (Slave = Master)"};
+constexpr Sentence programs{"programs", "Programme"};
+constexpr Sentence other_content{"{program} (other content)", "{program} (anderer Inhalt)"};
+constexpr Sentence more{"{first}, {next}", "{first}, {next}"};
+constexpr Sentence gantry{"gantry of {master}: slaves", "Gantry von {master}: Slaves"};
+constexpr Sentence restart{"after a restart of the control: {parameters}",
+                           "erst nach einem Neustart der Steuerung: {parameters}"};
+constexpr Sentence set_to_default{
+    "left out, as they only write out a default: {count} (--all shows them)",
+    "weggelassen, weil sie nur einen Standardwert ausschreiben: {count} (--all zeigt sie)"};
+constexpr Sentence own{"left out, as each axis has its own: {parameters} (--all shows them)",
+                       "weggelassen, weil jede Achse eigene hat: {parameters} (--all zeigt sie)"};
+constexpr Sentence no_effects{"what this does to the axes is left out, because a list has errors",
+                              "was das mit den Achsen macht, fehlt, weil eine Liste Fehler hat"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+using namespace presentation;
+
+namespace {
+
+Words title_of(ShownDifference const& shown) {
+  auto const& difference = shown.difference;
+  if (difference.empty()) return {says::nothing, {{"before", shown.before}, {"after", shown.after}}};
+  if (difference.of_one_machine) return as_given(difference.before.input);
+  return {says::compared, {{"before", shown.before}, {"after", shown.after}}};
+}
+
+Names names_of(std::vector<ComparedAxis const*> const& axes) {
+  Names names;
+  for (auto const* const axis : axes) names.push_back(axis->name);
+  return names;
+}
+
+/// NC cycle time, axes of one side only, gantries.
+Table machine_table(ShownDifference const& shown) {
+  auto const& difference = shown.difference;
+  auto table = side_table(shown, labels::what);
+  add_difference(table, labels::cycle_time,
+                 exact(difference.before.cycle_time.microseconds(), Unit::microsecond),
+                 exact(difference.after.cycle_time.microseconds(), Unit::microsecond));
+  for (auto const* const axis : difference.axes_removed) {
+    add_difference(table, axis_title(shown, *axis, *axis), Words(says::present), {});
+  }
+  for (auto const* const axis : difference.axes_added) {
+    add_difference(table, axis_title(shown, *axis, *axis), {}, Words(says::present));
+  }
+  std::map<std::string, std::pair<Names, Names>> slaves;
+  for (auto const& gantry : difference.gantries_before) slaves[gantry.master].first = gantry.slaves;
+  for (auto const& gantry : difference.gantries_after) slaves[gantry.master].second = gantry.slaves;
+  for (auto const& [master, names] : slaves) {
+    table.rows.push_back({Words(says::gantry, {{"master", master}}), names.first, names.second});
+  }
+  return table;
+}
+
+Names programs_of(ComparedChannel const& channel) {
+  Names names;
+  for (auto const& program : channel.programs) names.push_back(program.name);
+  return names;
+}
+
+/// Those with other content say so.
+Value marked_programs(ComparedChannel const& channel, Names const& other) {
+  Value all;
+  for (auto const& name : programs_of(channel)) {
+    bool const is_other = std::find(other.begin(), other.end(), name) != other.end();
+    auto const one = is_other ? Words(says::other_content, {{"program", name}}) : as_given(name);
+    all = all.is_nothing() ? one : Words(says::more, {{"first", all}, {"next", one}});
+  }
+  return all;
+}
+
+Section channel_data(std::string key, ComparedChannel const& channel) {
+  return data_section(
+      std::move(key),
+      {data("name", channel.name), data("axes", channel.axes), data("spindles", channel.spindles),
+       data("couplings", channel.couplings), data("programs", programs_of(channel))});
+}
+
+Section channel_section(ShownDifference const& shown, ChannelDifference const& channel) {
+  ComparedChannel const none;
+  auto const& was = channel.before != nullptr ? *channel.before : none;
+  auto const& is = channel.after != nullptr ? *channel.after : none;
+  bool const is_renamed = !was.name.empty() && !is.name.empty() && was.name != is.name;
+  auto const name = is_renamed ? Words(says::compared, {{"before", was.name}, {"after", is.name}})
+                               : as_given(is.name.empty() ? was.name : is.name);
+  auto const other = programs_with_other_content(channel);
+  auto table = side_table(shown, labels::what);
+  add_difference(table, labels::axes, was.axes, is.axes);
+  if (shown.difference.before.tells_all && shown.difference.after.tells_all) {
+    add_difference(table, says::spindles, was.spindles, is.spindles);
+    add_difference(table, says::couplings, was.couplings, is.couplings);
+    add_difference(table, says::programs, marked_programs(was, {}), marked_programs(is, other));
+  }
+  Section section{
+      .key = {}, .title = Words(labels::one_channel, {{"name", name}}), .blocks = {std::move(table)}};
+  for (auto const& [key, side] : {std::pair("before", channel.before), {"after", channel.after}}) {
+    section.blocks.push_back(side != nullptr ? Block(channel_data(key, *side)) : Facts{{data(key, {})}});
+  }
+  section.blocks.emplace_back(Facts{{data("programs_with_other_content", other)}});
+  return section;
+}
+
+Table gantry_data(std::string key, std::vector<ComparedGantry> const& gantries) {
+  return table_of(std::move(key), data_columns({"master", "slaves"}), gantries, [](auto const& gantry) {
+    return Row{gantry.master, gantry.slaves};
+  });
+}
+
+/// "kenngr.antr_typ (U)".
+Names restarting(MachineDifference const& difference) {
+  std::map<std::string, std::string> axes_of;
+  for (auto const& axis : difference.axes) {
+    for (auto const& change : axis.parameters) {
+      if (!change.restart || change.equal) continue;
+      auto& axes = axes_of[change.name];
+      axes += (axes.empty() ? "" : ", ") + axis.after->name;
+    }
+  }
+  Names names;
+  for (auto const& [name, axes] : axes_of) names.push_back(name + " (" + axes + ")");
+  return names;
+}
+
+/// What needs a restart, and what is not shown.
+void add_remarks(std::vector<Block>& blocks, MachineDifference const& difference) {
+  auto const add = [&](SentenceRef sentence, std::vector<NamedValue> values) {
+    blocks.emplace_back(Paragraph{Words(sentence, std::move(values))});
+  };
+  if (!difference.before.image || !difference.after.image) add(says::no_effects, {});
+  if (difference.needs_restart()) add(says::restart, {{"parameters", restarting(difference)}});
+  if (!difference.left_out.empty()) add(says::own, {{"parameters", difference.left_out}});
+  if (difference.set_to_default > 0) add(says::set_to_default, {{"count", difference.set_to_default}});
+}
+
+}  // namespace
+
+Table side_table(ShownDifference const& shown, Words what) {
+  bool const of_axes = shown.difference.of_one_machine;
+  return {.key = {},
+          .columns = {head_column({}, std::move(what)),
+                      column({}, of_axes ? as_given(shown.before) : labels::before),
+                      column({}, of_axes ? as_given(shown.after) : says::after)},
+          .rows = {},
+          .audience = Audience::people};
+}
+
+void add_difference(Table& table, Words what, Value before, Value after) {
+  if (text_of(before, Language::english) == text_of(after, Language::english)) return;
+  table.rows.push_back({std::move(what), std::move(before), std::move(after)});
+}
+
+Document difference_answer(ShownDifference const& shown) {
+  auto const& difference = shown.difference;
+  Sections channels{.key = "channels", .items = {}};
+  for (auto const& channel : difference.channels) channels.items.push_back(channel_section(shown, channel));
+  Document answer{
+      .title = title_of(shown),
+      .blocks =
+          {Facts{{data("before", shown.before), data("after", shown.after), data("equal", difference.empty()),
+                  data("restart", difference.needs_restart()), data("feed_mm_per_min", shown.feed_mm_per_min),
+                  data("cycle_time_us", difference.before.cycle_time.microseconds(), "before"),
+                  data("cycle_time_us", difference.after.cycle_time.microseconds(), "after"),
+                  data("axes_removed", names_of(difference.axes_removed)),
+                  data("axes_added", names_of(difference.axes_added))}},
+           machine_table(shown), std::move(channels),
+           Section{.key = "gantries",
+                   .title = {},
+                   .blocks = {gantry_data("before", difference.gantries_before),
+                              gantry_data("after", difference.gantries_after)}},
+           Facts{{data("set_to_default", difference.set_to_default), data("left_out", difference.left_out)}},
+           axes_data(shown)},
+      .csv_table = "parameters"};
+  for (auto& section : axis_sections(shown)) answer.blocks.emplace_back(std::move(section));
+  add_remarks(answer.blocks, difference);
+  return answer;
+}
+
+}  // namespace axisc

@@ -1,0 +1,111 @@
+#include "axisc/answers/difference/difference_parts.hpp"
+#include "axisc/answers/labels.hpp"
+#include "image/image_readings.hpp"
+
+#include <cmath>
+
+namespace axisc::says {
+
+constexpr Sentence effect{"effect", "Wirkung"};
+constexpr Sentence reading{"computed as (\"design\" of the settings)",
+                           "gerechnet als (\"design\" der Einstellungen)"};
+constexpr Sentence settling{"settling time (0.01 %)", "Einschwingzeit (0,01 %)"};
+constexpr Sentence longer{"longer than {time}", "länger als {time}"};
+constexpr Sentence gain{"gain at {frequency}", "Verstärkung bei {frequency}"};
+constexpr Sentence corner{"deviation at a 90° corner, {feed}", "Abweichung an einer 90°-Ecke, {feed}"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+using namespace presentation;
+
+namespace {
+
+constexpr int digits = 4;
+
+Value decibel(double magnitude) {
+  constexpr double nothing = 1e-10;
+  if (magnitude < nothing) return "< -200 dB";
+  return rounded(std::round(2000 * std::log10(magnitude)) / 100, Unit::decibel, digits + 1);
+}
+
+/// Figures of one side.
+struct Side {
+  image::ChainFigures const& chain;
+  design::CycleTime cycle_time;
+  double feed;
+
+  [[nodiscard]] Quantity time(double cycles) const {
+    return rounded(cycles * (cycle_time.seconds() * 1e3), Unit::millisecond, digits);
+  }
+  [[nodiscard]] Value settling() const {
+    if (chain.settling_cycles) return time(static_cast<double>(*chain.settling_cycles));
+    return Words(says::longer, {{"time", time(static_cast<double>(image::longest_settling))}});
+  }
+  [[nodiscard]] Value corner() const {
+    return quantity_or({}, corner_deviation_um(chain, feed, cycle_time), Unit::micrometre,
+                       Digits::significant(digits));
+  }
+  [[nodiscard]] std::vector<Field> data_fields() const {
+    return {data("delay_ms", time(chain.delay_cycles)), data("overshoot_percent", chain.overshoot * 100),
+            data("settling_ms", chain.settling_cycles ? settling() : Value()),
+            data("corner_deviation_um", corner())};
+  }
+};
+
+std::pair<Side, Side> sides_of(ShownDifference const& shown, image::ChainDifference const& chain) {
+  auto const& [before, after] = std::tie(shown.difference.before, shown.difference.after);
+  return {{chain.before, before.cycle_time, shown.feed_mm_per_min},
+          {chain.after, after.cycle_time, shown.feed_mm_per_min}};
+}
+
+}  // namespace
+
+Table effects_table(ShownDifference const& shown, AxisDifference const& axis) {
+  auto table = side_table(shown, says::effect);
+  if (!axis.chain) return table;
+  auto const& chain = *axis.chain;
+  auto const [before, after] = sides_of(shown, chain);
+  add_difference(table, says::reading, image::readings_text(chain.reading_before),
+                 image::readings_text(chain.reading_after));
+  auto& rows = table.rows;
+  rows.push_back(
+      {Words(labels::delay), before.time(chain.before.delay_cycles), after.time(chain.after.delay_cycles)});
+  rows.push_back({Words(says::settling), before.settling(), after.settling()});
+  rows.push_back({Words(labels::step_overshoot), rounded(chain.before.overshoot * 100, Unit::percent, digits),
+                  rounded(chain.after.overshoot * 100, Unit::percent, digits)});
+  for (auto const& gain : chain.gains) {
+    auto const frequency = rounded(gain.frequency.value, Unit::hertz, digits);
+    rows.push_back(
+        {Words(says::gain, {{"frequency", frequency}}), decibel(gain.before), decibel(gain.after)});
+  }
+  auto const feed = exact(shown.feed_mm_per_min, Unit::millimetre_per_minute);
+  rows.push_back({Words(says::corner, {{"feed", feed}}), before.corner(), after.corner()});
+  return table;
+}
+
+std::vector<Block> effects_data(ShownDifference const& shown, image::ChainDifference const& chain) {
+  auto const [before, after] = sides_of(shown, chain);
+  auto was = before.data_fields();
+  auto is = after.data_fields();
+  if (chain.reading_before != chain.reading_after) {
+    was.push_back(data("design", image::readings_text(chain.reading_before)));
+    is.push_back(data("design", image::readings_text(chain.reading_after)));
+  }
+  return {
+      data_section("before", std::move(was)), data_section("after", std::move(is)),
+      table_of("gains", data_columns({"frequency_hz", "before", "after"}), chain.gains, [](auto const& gain) {
+        return Row{gain.frequency.value, gain.before, gain.after};
+      })};
+}
+
+std::optional<double> corner_deviation_um(image::ChainFigures const& chain, double feed,
+                                          design::CycleTime cycle_time) {
+  if (!chain.corner_deviation) return std::nullopt;
+  constexpr double um_per_mm = 1000;
+  constexpr double seconds_per_minute = 60;
+  return *chain.corner_deviation * feed * um_per_mm / seconds_per_minute * cycle_time.seconds();
+}
+
+}  // namespace axisc
