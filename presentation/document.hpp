@@ -90,7 +90,8 @@ struct Section {
   /// does so.
   std::vector<Field> identity = {};
   Audience audience = Audience::all;
-  std::string id = {};  ///< links lead here
+  std::string id = {};     ///< links lead here
+  bool is_folded = false;  ///< HTML shows the title alone until more is wanted
 };
 
 /// An object of fields that only programs read.

@@ -1,14 +1,10 @@
 #include "axisc/answers/inspect/inspect_answer.hpp"
 #include "axisc/answers/inspect/inspect_parts.hpp"
-#include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/asked/filter_symbols.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "configuration/machine/part.hpp"
-#include "diagnostics/format_number.hpp"
 #include "image/chain_figures.hpp"
-#include "presentation/pictures/page.hpp"
-#include "presentation/writers.hpp"
 
 #include <span>
 
@@ -27,13 +23,14 @@ constexpr Sentence coefficients_summary{"Filters, coefficients and poles", "Filt
 
 namespace axisc {
 
+using namespace presentation;
+
 namespace {
 
-std::string values_of(ReportSubject const& subject, image::ImageAxis const& axis) {
-  if (axis.values.empty()) return {};
-  auto const table = values_table("values", axis.values, presentation::Audience::people);
-  return details(subject.say(says::values_summary),
-                 presentation::html_of({table}, 4, {.language = subject.language}));
+Section folded(SentenceRef title, std::vector<Block> blocks) {
+  auto section = part(title, std::move(blocks));
+  section.is_folded = true;
+  return section;
 }
 
 /// One axis, compiled and executed alone: otherwise each axis would cost as much as the machine.
@@ -58,43 +55,45 @@ class AxisAlone {
   PlotSubject plots_;
 };
 
-/// What `inspect` says of the axis, without the head of the image.
-std::string coefficients_of(ReportSubject const& subject, std::size_t axis,
-                            image::ChainFigures const& figures) {
-  auto const blocks = inspect_axes(subject.plots->contents(), std::span(&axis, 1), std::span(&figures, 1),
-                                   presentation::Audience::people);
-  return details(subject.say(says::coefficients_summary),
-                 presentation::html_of(blocks, 4, {.language = subject.language}));
-}
-
 }  // namespace
 
-std::string axes_section(ReportSubject const& subject) {
+ReportBlocks axes_section(ReportSubject const& subject) {
   if (!subject.plots || subject.machine == nullptr) return {};
   auto const& contents = subject.plots->contents();
-  std::string text;
+  ReportBlocks sections;
   for (auto const axis : subject.plots->axes) {
     auto const& compiled = contents.axes[axis];
-    text += heading(3, "axis-" + std::to_string(axis),
-                    subject.say(says::axis_heading, {{"axis", subject.plots->name(axis)}}));
+    Section section{.key = {},
+                    .title = Words(says::axis_heading, {{"axis", subject.plots->name(axis)}}),
+                    .blocks = {},
+                    .id = "axis-" + std::to_string(axis)};
+    auto& blocks = section.blocks;
     AxisAlone const alone(subject, axis);
     bool const has_filter = !compiled.filters.empty() || compiled.slot.has_value();
     bool const starts_off = compiled.slot && compiled.slot->kernel && !compiled.slot->on_at_start;
-    if (starts_off) text += text_of("p", subject.say(says::kernel_is_off)) + "\n";
+    if (starts_off) blocks.emplace_back(Paragraph{says::kernel_is_off});
     if (has_filter || subject.plots->axis_before(axis)) {
-      text += pictures::figure_element(response_figure(alone.plots(), {}), subject.language);
+      blocks.emplace_back(Picture{response_figure(alone.plots(), {})});
       auto step = step_figure(alone.plots());
       step.table = {};
-      text += pictures::figure_element(step, subject.language);
+      blocks.emplace_back(Picture{std::move(step)});
     } else {
-      text += text_of("p", subject.say(says::no_axis_filter)) + "\n";
+      blocks.emplace_back(Paragraph{says::no_axis_filter});
     }
     if (has_filter || !compiled.interface_filters.empty() || compiled.control) {
-      text += coefficients_of(subject, axis, alone.figures());
+      // What `inspect` says of the axis, without the head of the image.
+      auto const figures = alone.figures();
+      blocks.emplace_back(
+          folded(says::coefficients_summary,
+                 inspect_axes(contents, std::span(&axis, 1), std::span(&figures, 1), Audience::people)));
     }
-    text += values_of(subject, compiled);
+    if (!compiled.values.empty()) {
+      blocks.emplace_back(
+          folded(says::values_summary, {values_table("values", compiled.values, Audience::people)}));
+    }
+    sections.emplace_back(std::move(section));
   }
-  return text;
+  return sections;
 }
 
 }  // namespace axisc

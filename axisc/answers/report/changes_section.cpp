@@ -1,13 +1,12 @@
 #include "axisc/answers/report/report_page.hpp"
-#include "presentation/writers.hpp"
 
 namespace axisc {
 
-std::string changes_section(ReportSubject const& subject) {
+ReportBlocks changes_section(ReportSubject const& subject) {
   if (subject.difference == nullptr) return {};
   auto answer = difference_answer(*subject.difference);
   answer.blocks.insert(answer.blocks.begin(), presentation::Paragraph{answer.title});
-  return presentation::html_of(answer.blocks, 3, {.language = subject.language});
+  return std::move(answer.blocks);
 }
 
 }  // namespace axisc

@@ -1,11 +1,8 @@
 #include "axisc/answers/contour/contour_answer.hpp"
 #include "axisc/answers/figures/plotted_groups.hpp"
-#include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
-#include "presentation/pictures/page.hpp"
-#include "presentation/writers.hpp"
 
 namespace axisc::says {
 
@@ -19,19 +16,17 @@ constexpr Sentence filters_are_on{
 
 namespace axisc {
 
+using namespace presentation;
+
 namespace {
 
-std::string contours(ReportSubject const& subject, std::size_t group) {
+/// Contours in numbers and pictures.
+ReportBlocks contours(ReportSubject const& subject, std::size_t group) {
   auto const predicted = predict_contour(
       {.machine = *subject.machine, .group = group, .commands = filters_on(), .path = subject.input},
       subject.contour);
-  constexpr int level = 4;
-  return text_of("p", subject.say(says::filters_are_on)) + "\n" +
-         presentation::html_of(contour_blocks(predicted, subject.contour), level,
-                               {.language = subject.language});
-}
-
-std::string group_pictures(ReportSubject const& subject, std::size_t group) {
+  ReportBlocks blocks{Paragraph{says::filters_are_on}};
+  for (auto& block : contour_blocks(predicted, subject.contour)) blocks.push_back(std::move(block));
   auto chains = GroupChains(*subject.machine, group, filters_on(), subject.input);
   ContourSubject const contour{.now = chains,
                                .before = nullptr,
@@ -40,31 +35,35 @@ std::string group_pictures(ReportSubject const& subject, std::size_t group) {
                                .language = subject.language};
   PlotSubject delays = *subject.plots;
   delays.axes = subject.machine->groups[group].axes;
-  return pictures::figure_element(delay_figure(delays), subject.language) +
-         pictures::figure_element(corner_figure(contour, subject.contour), subject.language) +
-         pictures::figure_element(circle_figure(contour, subject.contour), subject.language);
+  blocks.emplace_back(Picture{delay_figure(delays)});
+  blocks.emplace_back(Picture{corner_figure(contour, subject.contour)});
+  blocks.emplace_back(Picture{circle_figure(contour, subject.contour)});
+  return blocks;
 }
 
 }  // namespace
 
-std::string channels_section(ReportSubject const& subject) {
+ReportBlocks channels_section(ReportSubject const& subject) {
   if (!subject.plots || subject.machine == nullptr) return {};
-  std::string text;
+  ReportBlocks sections;
   for (std::size_t i = 0; i < subject.machine->groups.size(); ++i) {
     auto const& group = subject.machine->groups[i];
     if (group.axes.empty()) continue;
-    text += heading(3, "channel-" + std::to_string(i),
-                    group.name.empty() ? subject.say(says::only_channel)
-                                       : subject.say(says::channel_heading, {{"group", group.name}}));
+    Section section{.key = {},
+                    .title = group.name.empty() ? says::only_channel
+                                                : Words(says::channel_heading, {{"group", group.name}}),
+                    .blocks = {},
+                    .id = "channel-" + std::to_string(i)};
     try {
-      text += contours(subject, i) + group_pictures(subject, i);
+      section.blocks = contours(subject, i);
     } catch (Failure const& failure) {
       // A chain without a constant part, or more axes than a path has: the sentence takes the pictures'
       // place.
-      text += text_of("p", failure.sentence(subject.language)) + "\n";
+      section.blocks = {Paragraph{as_given(failure.sentence(subject.language))}};
     }
+    sections.emplace_back(std::move(section));
   }
-  return text;
+  return sections;
 }
 
 }  // namespace axisc

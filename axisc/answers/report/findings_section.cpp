@@ -1,8 +1,6 @@
 #include "axisc/answers/explain/explain_answer.hpp"
-#include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "presentation/pictures/svg_text.hpp"
-#include "presentation/writers.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <set>
@@ -18,7 +16,10 @@ constexpr Sentence more_findings{"{count} more findings: `axisc lint` prints all
 namespace axisc {
 
 std::string findings_section(ReportSubject const& subject) {
-  if (subject.findings.empty()) return text_of("p", subject.say(says::no_findings)) + "\n";
+  auto const paragraph = [&](std::string const& words) {
+    return "<p>" + pictures::escaped(words) + "</p>\n";
+  };
+  if (subject.findings.empty()) return paragraph(subject.say(says::no_findings));
   std::string text;
   std::size_t shown = 0;
   for (auto const& finding : subject.findings) {
@@ -37,24 +38,20 @@ std::string findings_section(ReportSubject const& subject) {
   }
   if (subject.findings.size() <= most_shown_findings) return text;
   return text +
-         text_of("p",
-                 subject.say(says::more_findings,
-                             {{"count", std::to_string(subject.findings.size() - most_shown_findings)}})) +
-         "\n";
+         paragraph(subject.say(says::more_findings,
+                               {{"count", std::to_string(subject.findings.size() - most_shown_findings)}}));
 }
 
-std::string explanations_section(ReportSubject const& subject) {
+ReportBlocks explanations_section(ReportSubject const& subject) {
   std::set<Code> codes;
   for (std::size_t i = 0; i < subject.findings.size() && i < most_shown_findings; ++i) {
     codes.insert(subject.findings[i].code);
   }
-  std::string text;
+  ReportBlocks blocks;
   for (auto const code : codes) {
-    auto const* const rule = validator::find_rule(code);
-    if (rule == nullptr) continue;
-    text += presentation::html_of({rule_section(*rule)}, 3, {.language = subject.language});
+    if (auto const* const rule = validator::find_rule(code)) blocks.emplace_back(rule_section(*rule));
   }
-  return text;
+  return blocks;
 }
 
 }  // namespace axisc

@@ -1,14 +1,10 @@
 #include "axisc/answers/figures/path_figure.hpp"
-#include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/answers/simulation/program_answer.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/program_lines.hpp"
 #include "configuration/machine/part.hpp"
 #include "diagnostics/writers/writers.hpp"
-#include "presentation/pictures/page.hpp"
-#include "presentation/pictures/svg_text.hpp"
-#include "presentation/writers.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
@@ -16,21 +12,18 @@
 namespace axisc::says {
 
 constexpr Sentence program_heading{"{program} in channel {group}", "{program} im Kanal {group}"};
-constexpr Sentence program_alone{"{program}", "{program}"};
 constexpr Sentence not_followed{"The program is not followed:", "Dem Programm wird nicht gefolgt:"};
 
 }  // namespace axisc::says
 
 namespace axisc {
 
+using namespace presentation;
+
 namespace {
 
-std::string preformatted(std::string const& text) {
-  return text.empty() ? std::string() : "<pre tabindex=\"0\">" + pictures::escaped(text) + "</pre>\n";
-}
-
 /// As `simulate` shows them.
-presentation::Table passes_of(PathRecorder const& recorder, SimulatedPath const& path) {
+Table passes_of(PathRecorder const& recorder, SimulatedPath const& path) {
   ProgramSummary summary(path);
   for (auto const& pass : recorder.passes()) summary.pass(pass);
   auto passes = summary.passes();
@@ -39,7 +32,7 @@ presentation::Table passes_of(PathRecorder const& recorder, SimulatedPath const&
 }
 
 /// What `simulate` says of the program, or why it cannot follow it.
-std::string followed(ReportSubject const& subject, std::size_t channel, std::string const& path) {
+ReportBlocks followed(ReportSubject const& subject, std::size_t channel, std::string const& path) {
   // The channel alone; what the program's commands need is added to it.
   auto const& whole = *subject.machine;
   auto part = machine::part_of(whole, whole.groups[channel].axes);
@@ -52,9 +45,9 @@ std::string followed(ReportSubject const& subject, std::size_t channel, std::str
   TakeProblem const note = [&](Finding const& problem, SourceSet const& sources) {
     problems += write_text(problem, sources, {.language = subject.language, .color = false}) + "\n";
   };
-  if (!survey_program(program, request, machine, group, note)) {
-    return text_of("p", subject.say(says::not_followed)) + "\n" + preformatted(problems);
-  }
+  bool const is_followed = survey_program(program, request, machine, group, note);
+  Verbatim told{.key = {}, .text = std::move(problems), .audience = Audience::people};
+  if (!is_followed) return {Paragraph{says::not_followed}, std::move(told)};
   auto const& axes = machine.groups[group].axes;
   std::size_t const up = axes.size() > 1 ? 1 : 0;
   PathRecorder recorder(0, up);
@@ -62,43 +55,42 @@ std::string followed(ReportSubject const& subject, std::size_t channel, std::str
   SimulatedPath const simulated{.group = machine.groups[group].name,
                                 .axes = channel_of(machine, machine.groups[group]).axes,
                                 .cycle_time = machine.cycle_time};
-  constexpr int level = 4;
-  return preformatted(problems) +
-         presentation::html_of({passes_of(recorder, simulated)}, level, {.language = subject.language}) +
-         pictures::figure_element(
-             path_figure(recorder,
-                         {.program = std::string(validator::file_name(path)),
-                          .axes = {machine.axes[axes[0]].name, machine.axes[axes[up]].name},
-                          .cycle_seconds = machine.cycle_time.seconds(),
-                          .tolerance_um = std::nullopt},
-                         subject.language),
-             subject.language);
+  return {std::move(told), passes_of(recorder, simulated),
+          Picture{path_figure(recorder,
+                              {.program = std::string(validator::file_name(path)),
+                               .axes = {machine.axes[axes[0]].name, machine.axes[axes[up]].name},
+                               .cycle_seconds = machine.cycle_time.seconds(),
+                               .tolerance_um = std::nullopt},
+                              subject.language)}};
 }
 
 }  // namespace
 
-std::string programs_section(ReportSubject const& subject) {
+ReportBlocks programs_section(ReportSubject const& subject) {
   if (!subject.plots || subject.machine == nullptr) return {};
-  std::string text;
-  std::size_t count = 0;
+  ReportBlocks sections;
   auto const& groups = subject.machine->groups;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i].axes.empty()) continue;
     for (auto const& path : groups[i].programs) {
-      SentenceRef const name = groups[i].name.empty() || groups.size() == 1 ? SentenceRef(says::program_alone)
-                                                                            : says::program_heading;
-      text += heading(3, "program-" + std::to_string(count++),
-                      subject.say(name, {{"program", std::string(validator::file_name(path))},
-                                         {"group", groups[i].name}}));
+      std::string const name(validator::file_name(path));
+      Section section{
+          .key = {},
+          .title = groups[i].name.empty() || groups.size() == 1
+                       ? as_given(name)
+                       : Words(says::program_heading, {{"program", name}, {"group", groups[i].name}}),
+          .blocks = {},
+          .id = "program-" + std::to_string(sections.size())};
       try {
-        text += followed(subject, i, path);
+        section.blocks = followed(subject, i, path);
       } catch (Failure const& failure) {
         // A filter that the runtime refuses, a file that is gone: the sentence takes the pictures' place.
-        text += text_of("p", failure.sentence(subject.language)) + "\n";
+        section.blocks = {Paragraph{as_given(failure.sentence(subject.language))}};
       }
+      sections.emplace_back(std::move(section));
     }
   }
-  return text;
+  return sections;
 }
 
 }  // namespace axisc

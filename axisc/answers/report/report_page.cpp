@@ -1,7 +1,6 @@
 #include "axisc/answers/report/report_page.hpp"
 
 #include "axisc/answers/labels.hpp"
-#include "axisc/answers/report/html.hpp"
 #include "axisc/asked/filter_symbols.hpp"
 #include "axisc/checking/report_format.hpp"
 #include "presentation/pictures/page.hpp"
@@ -93,21 +92,25 @@ void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const
 }
 
 std::string report_page(ReportSubject const& subject) {
+  auto const html = [&](ReportBlocks const& blocks) {
+    return presentation::html_of(blocks, 3, {.language = subject.language});
+  };
   std::vector<Part> const parts = {
       {.id = "findings", .name = says::part_findings, .html = findings_section(subject)},
-      {.id = "changes", .name = says::part_changes, .html = changes_section(subject)},
-      {.id = "axes", .name = says::part_axes, .html = axes_section(subject)},
-      {.id = "contours", .name = says::part_channels, .html = channels_section(subject)},
-      {.id = "programs", .name = says::part_programs, .html = programs_section(subject)},
-      {.id = "explanations", .name = says::part_explanations, .html = explanations_section(subject)}};
+      {.id = "changes", .name = says::part_changes, .html = html(changes_section(subject))},
+      {.id = "axes", .name = says::part_axes, .html = html(axes_section(subject))},
+      {.id = "contours", .name = says::part_channels, .html = html(channels_section(subject))},
+      {.id = "programs", .name = says::part_programs, .html = html(programs_section(subject))},
+      {.id = "explanations", .name = says::part_explanations, .html = html(explanations_section(subject))}};
   std::string const title = subject.say(says::report_title, {{"input", subject.input}});
   std::string text = "<!doctype html>\n<html lang=\"";
   text += subject.language == Language::german ? "de" : "en";
   text += "\"><head><meta charset=\"utf-8\">\n";
   text += R"(<meta name="viewport" content="width=device-width,initial-scale=1">)";
-  text += "\n" + text_of("title", title) + "\n<style>\n";
+  text += "\n<title>" + pictures::escaped(title) + "</title>\n<style>\n";
   text.append(pictures::page_style()).append(style());
-  text += "</style></head>\n<body><main>\n" + text_of("h1", title) + "\n" + verdict(subject) + facts(subject);
+  text += "</style></head>\n<body><main>\n<h1>" + pictures::escaped(title) + "</h1>\n" + verdict(subject) +
+          facts(subject);
   text += "<nav" + pictures::attribute("aria-label", subject.say(says::content_of)) + "><ul>";
   for (auto const& part : parts) {
     if (part.html.empty()) continue;
@@ -116,7 +119,8 @@ std::string report_page(ReportSubject const& subject) {
   }
   text += "</ul></nav>\n";
   for (auto const& part : parts) {
-    if (!part.html.empty()) text += heading(2, part.id, subject.say(part.name)) + part.html;
+    if (part.html.empty()) continue;
+    text += "<h2" + pictures::attribute("id", part.id) + ">" + subject.say(part.name) + "</h2>\n" + part.html;
   }
   text += "</main>\n";
   if (subject.plots) text += pictures::zoom_part(subject.language);

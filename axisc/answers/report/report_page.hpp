@@ -45,12 +45,13 @@ void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const
 /// The whole document. Cost: some milliseconds per axis.
 [[nodiscard]] std::string report_page(ReportSubject const& subject);
 
-// Its parts, each with its heading.
+// Its parts. Findings are HTML: each leads to its explanation.
+using ReportBlocks = std::vector<presentation::Block>;
 [[nodiscard]] std::string findings_section(ReportSubject const& subject);
-[[nodiscard]] std::string changes_section(ReportSubject const& subject);
-[[nodiscard]] std::string axes_section(ReportSubject const& subject);
-[[nodiscard]] std::string channels_section(ReportSubject const& subject);
-[[nodiscard]] std::string programs_section(ReportSubject const& subject);
-[[nodiscard]] std::string explanations_section(ReportSubject const& subject);
+[[nodiscard]] ReportBlocks changes_section(ReportSubject const& subject);
+[[nodiscard]] ReportBlocks axes_section(ReportSubject const& subject);
+[[nodiscard]] ReportBlocks channels_section(ReportSubject const& subject);
+[[nodiscard]] ReportBlocks programs_section(ReportSubject const& subject);
+[[nodiscard]] ReportBlocks explanations_section(ReportSubject const& subject);
 
 }  // namespace axisc

@@ -1,5 +1,5 @@
-// What programs read of findings and answers is as the published JSON schemas say. run_axisc() compares every answer in
-// JSON with its schema; here are the samples, and that the schemas can refuse.
+// What programs read of findings and answers is as the published JSON schemas say. run_axisc() compares every
+// answer in JSON with its schema; here are the samples, and that the schemas can refuse.
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
