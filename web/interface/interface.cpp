@@ -132,8 +132,9 @@ int axisc_drop(axisc_workspace* workspace, char const* path) {
 int axisc_read(axisc_workspace* workspace, char const* path, axisc_bytes* bytes) {
   return call(*workspace, bytes, [&]() -> int {
     auto const read = workspace->now()->files().read(path);
-    if (auto const* const error = std::get_if<configuration::FileError>(&read))
+    if (auto const* const error = std::get_if<configuration::FileError>(&read)) {
       throw unreadable(path, *error);
+    }
     return give(std::get<std::string>(read), bytes);
   });
 }

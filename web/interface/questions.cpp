@@ -22,13 +22,13 @@
 
 namespace axisc::says {
 
-constexpr Sentence not_a_question{"\"{question}\" is not a question: {known}",
-                                  "\"{question}\" ist keine Frage: {known}"};
-constexpr Sentence unknown_word{"\"{key}\" cannot be \"{word}\": {known}",
-                                "\"{key}\" kann nicht \"{word}\" sein: {known}"};
-constexpr Sentence not_a_text{"\"{key}\" of a question is a text", "\"{key}\" einer Frage ist ein Text"};
-constexpr Sentence unknown_key{"the question {question} has no \"{key}\"; it has {known}",
-                               "die Frage {question} hat kein \"{key}\"; sie hat {known}"};
+constexpr Sentence not_a_question{R"("{question}" is not a question: {known})",
+                                  R"("{question}" ist keine Frage: {known})"};
+constexpr Sentence unknown_word{R"("{key}" cannot be "{word}": {known})",
+                                R"("{key}" kann nicht "{word}" sein: {known})"};
+constexpr Sentence not_a_text{R"("{key}" of a question is a text)", R"("{key}" einer Frage ist ein Text)"};
+constexpr Sentence unknown_key{R"(the question {question} has no "{key}"; it has {known})",
+                               R"(die Frage {question} hat kein "{key}"; sie hat {known})"};
 constexpr Sentence no_object{"a question is a JSON object whose values are texts",
                              "eine Frage ist ein JSON-Objekt, dessen Werte Texte sind"};
 
@@ -67,9 +67,9 @@ class Asked {
   }
 
   void refuse_others(std::string_view question, std::string_view keys) const {
+    auto const words = " question " + std::string(keys) + " ";
     for (auto const& [key, value] : values_.items()) {
-      if (key == "question" || (" " + std::string(keys) + " ").find(" " + key + " ") != std::string::npos)
-        continue;
+      if (words.find(" " + key + " ") != std::string::npos) continue;
       throw Failure(
           {.sentence = says::unknown_key,
            .arguments = {{"question", std::string(question)}, {"key", key}, {"known", std::string(keys)}}});

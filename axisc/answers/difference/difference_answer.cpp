@@ -132,11 +132,12 @@ Names restarting(MachineDifference const& difference) {
     for (auto const& change : axis.parameters) {
       if (!change.restart || change.equal) continue;
       auto& axes = axes_of[change.name];
-      axes += (axes.empty() ? "" : ", ") + axis.after->name;
+      axes.append(axes.empty() ? "" : ", ").append(axis.after->name);
     }
   }
   Names names;
-  for (auto const& [name, axes] : axes_of) names.push_back(name + " (" + axes + ")");
+  for (auto const& [name, axes] : axes_of)
+    names.push_back(std::string(name).append(" (").append(axes).append(")"));
   return names;
 }
 
