@@ -1,5 +1,5 @@
-// What every question is asked of: files with unsaved text over them, the settings that apply to each, and the
-// machine that a file belongs to.
+// What every question is asked of: files with unsaved text over them, the settings that apply to each, and
+// the machine that a file belongs to.
 #pragma once
 
 #include "axisc/settings/settings.hpp"

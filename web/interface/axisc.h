@@ -1,8 +1,8 @@
-/* axisc for other languages: files in, findings, images and answers out. The page and editors that run axisc as
- * WebAssembly use it; it may still change.
+/* axisc for other languages: files in, findings, images and answers out. The page and editors that run axisc
+ * as WebAssembly use it; it may still change.
  *
- * A workspace is the files of the disk, unsaved text over them, and a language. Any number of them, one
- * call at a time in each. Settings (axisc.json) are read anew by every call. Paths are UTF-8 with `/`, and count
+ * A workspace is the files of the disk, unsaved text over them, and a language. Any number of them, one call
+ * at a time in each. Settings (axisc.json) are read anew by every call. Paths are UTF-8 with `/`, and count
  * from the working folder. Nothing is printed, nothing is written to the disk.
  *
  * Functions return 0; AXISC_FINDINGS where lists have errors, so that there is no image or no answer; or
@@ -27,12 +27,13 @@ typedef struct axisc_bytes {
 
 enum axisc_result { AXISC_OK = 0, AXISC_FINDINGS = 1, AXISC_FAILED = 2 };
 
-/* `options`: {"language": "en" or "de", "cycle_time": "2ms" where no file says one}, both optional, or null. After
- * AXISC_FAILED the workspace, if there is one, only tells why, and must be closed as well. */
+/* `options`: {"language": "en" or "de", "cycle_time": "2ms" where no file says one}, both optional, or null.
+ * After AXISC_FAILED the workspace, if there is one, only tells why, and must be closed as well. */
 int axisc_open(char const* options, axisc_workspace** workspace);
 void axisc_close(axisc_workspace* workspace);
 
-/* Text that is not on the disk, in the place of a file or beside them; a folder is searched on the disk alone. */
+/* Text that is not on the disk, in the place of a file or beside them; a folder is searched on the disk
+ * alone. */
 int axisc_put(axisc_workspace* workspace, char const* path, char const* bytes, size_t size);
 int axisc_drop(axisc_workspace* workspace, char const* path);
 /* The bytes as they are now. */
@@ -51,7 +52,8 @@ int axisc_compile(axisc_workspace* workspace, char const* path, axisc_bytes* ima
  *   machine_of  the path of the machine that the file belongs to; its own if there is none
  *   machine     what it consists of                      "format"
  *   contour     what its filters do to a path            "format"
- *   picture     "kind" as `axisc plot` has them, "axis", "group", "before", "program", "plant", "move"; an SVG
+ *   picture     "kind" as `axisc plot` has them, "axis", "group", "before", "program", "plant", "move";
+ *               an SVG
  *   report      the acceptance report                    "before"; HTML
  *   explain     "word": a code, a parameter, a message   "format"
  * "format" is text (default), json, csv, markdown or html. */

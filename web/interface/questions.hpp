@@ -9,8 +9,8 @@
 
 namespace axisc::web {
 
-/// The answer in the format that the question names. None after errors in lists, which `errors` takes. Failure
-/// for a question that is none.
+/// The answer in the format that the question names. None after errors in lists, which `errors` takes.
+/// Failure for a question that is none.
 [[nodiscard]] std::optional<std::string> answer(Workspace& workspace, std::string const& question,
                                                 ErrorSink const& errors);
 

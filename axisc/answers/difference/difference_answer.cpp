@@ -136,8 +136,9 @@ Names restarting(MachineDifference const& difference) {
     }
   }
   Names names;
-  for (auto const& [name, axes] : axes_of)
+  for (auto const& [name, axes] : axes_of) {
     names.push_back(std::string(name).append(" (").append(axes).append(")"));
+  }
   return names;
 }
 

@@ -49,8 +49,8 @@ struct PictureQuestion {
   Language language = Language::english;
 };
 
-/// None after errors in lists or in the program, which `errors` takes. Failure for options that do not fit the
-/// machine, and for files that cannot be read.
+/// None after errors in lists or in the program, which `errors` takes. Failure for options that do not fit
+/// the machine, and for files that cannot be read.
 [[nodiscard]] std::optional<pictures::Figure> picture_answer(Workspace& workspace, PictureQuestion question,
                                                              ErrorSink const& errors);
 

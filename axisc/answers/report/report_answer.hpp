@@ -25,9 +25,10 @@ struct ReportAnswer {
   std::vector<std::string> files = {};  ///< that the machine was read from
 };
 
-/// Of a list it is the page of its machine. None where the lists of the earlier state, or both, have errors that
-/// leave nothing to compare: `errors` takes them. Errors of the present state are part of the page. `notes`
-/// takes notes about files that are skipped. Failure for inputs that cannot be read, or are no machine.
+/// Of a list it is the page of its machine. None where the lists of the earlier state, or both, have errors
+/// that leave nothing to compare: `errors` takes them. Errors of the present state are part of the page.
+/// `notes` takes notes about files that are skipped. Failure for inputs that cannot be read, or are no
+/// machine.
 [[nodiscard]] std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion const& question,
                                                         ErrorSink const& errors, std::vector<Message>& notes);
 

@@ -38,8 +38,8 @@ TEST_CASE("the backward Euler method makes of a lag what textbooks say") {
 }
 
 /// y[n] = b0 x[n] + b1 x[n-1] + b2 x[n-2] - a1 y[n-1] - a2 y[n-2] for the Butterworth filter of order 2 with
-/// -3 dB at `frequency`: H(s) = 1/(s² + √2 s + 1), or s² above it for a high-pass, with s = (1 - z⁻¹)/(K (1 + z⁻¹)),
-/// K = tan(π f T). From rest at the first input.
+/// -3 dB at `frequency`: H(s) = 1/(s² + √2 s + 1), or s² above it for a high-pass, with
+/// s = (1 - z⁻¹)/(K (1 + z⁻¹)), K = tan(π f T). From rest at the first input.
 std::vector<double> butterworth(bool is_highpass, double frequency, std::vector<double> const& input) {
   long double const k = std::tan(std::acos(-1.0L) * frequency * 1e-3L);
   long double const norm = 1 / (1 + std::sqrt(2.0L) * k + k * k);
