@@ -45,8 +45,8 @@ void LookAhead::add(ProgrammedBlock const& block) {
     added.velocity = std::min(block.feed, limits_.velocity(direction));
     added.acceleration = limits_.acceleration(direction);
   }
-  added.slope = block.slope;
-  if (block.slope == Slope::sine_squared) added.acceleration /= 2;
+  added.smooth = block.dynamics && block.dynamics->slope == machine::Slope::sin2;
+  if (added.smooth) added.acceleration /= 2;
   if (constant_velocity_) added.acceleration = at_once;
   added.index = next_index_++;
   added.line = block.line;
@@ -160,7 +160,7 @@ void LookAhead::cut_into_stretches() {
                             .piece = {.length = std::max(0.0, cut - from),
                                       .velocity_limit = asked.velocity,
                                       .acceleration = asked.acceleration,
-                                      .smooth = asked.slope == Slope::sine_squared},
+                                      .smooth = asked.smooth},
                             .ends_block = ends_block});
       from = cut;
     }

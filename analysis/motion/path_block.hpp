@@ -1,6 +1,7 @@
 // The blocks of a path, as a program asks for them and as the axes allow them.
 #pragma once
 
+#include "analysis/motion/block_dynamics.hpp"
 #include "analysis/motion/segment.hpp"
 
 #include <cstdint>
@@ -10,17 +11,15 @@
 
 namespace axisc::motion {
 
-/// How the acceleration comes and goes (#SLOPE).
-enum class Slope : std::uint8_t {
-  trapezoid,     ///< of the velocity: a constant acceleration
-  sine_squared,  ///< a_max sin²: twice as long for the same change of velocity
-};
-
 /// One block of a program.
 struct ProgrammedBlock {
   Point end{};                                            ///< position units
   double feed = std::numeric_limits<double>::infinity();  ///< units per cycle; infinite for G00
-  Slope slope = Slope::trapezoid;
+  bool rapid = false;                                     ///< G00: velocity and accelerations of its own
+  bool exact_stop = false;                                ///< at its end: G60, G360, P-CHAN-00235 after G00
+  bool brakes_late = false;  ///< for the next feed only after its end: G901, unless G09 is in the block
+  /// Null: nothing was said; the slope is that of the channel, and values are those of the lists.
+  std::shared_ptr<BlockDynamics const> dynamics;
   std::shared_ptr<Arc const> arc;  ///< null for a straight line
   std::uint32_t line = 0;          ///< of the program, from 1
   std::string label;               ///< "N040"; empty for a block without number
@@ -33,7 +32,7 @@ struct PathBlock {
   double length = 0;        ///< position units
   double velocity = 0;      ///< most that feed and axes allow, units per cycle
   double acceleration = 0;  ///< along the path, the mean of a ramp, units per cycle²
-  Slope slope = Slope::trapezoid;
+  bool smooth = false;      ///< sin²
   std::uint64_t index = 0;  ///< among the blocks that move, from 1
   std::uint32_t line = 0;
   std::string label;

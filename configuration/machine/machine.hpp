@@ -3,6 +3,7 @@
 #pragma once
 
 #include "configuration/machine/filter_command.hpp"
+#include "configuration/machine/path_dynamics.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
 #include "design/oscillator.hpp"
@@ -94,6 +95,7 @@ struct AxisConfiguration {
   double velocity_limit = 0;         ///< P-AXIS-00212, µm/s or 1e-3 °/s
   double acceleration_limit = 0;     ///< P-AXIS-00008, mm/s² or °/s²
   double transition_weight = 0;      ///< P-AXIS-00013, in 0.1 %
+  AxisDynamics dynamics;             ///< gear 0
   std::vector<SourcedValue> values;  ///< everything its lists set, in the order of the lines
 };
 
@@ -126,6 +128,7 @@ struct MachineGroup {
   /// [HSC], which need none.
   std::vector<FilterParameters> filter_sets;
   std::vector<std::string> programs = {};  ///< paths of the NC programs that it runs
+  ChannelDynamics dynamics = {};
 };
 
 struct Machine {

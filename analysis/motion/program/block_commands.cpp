@@ -34,6 +34,12 @@ std::string written(std::size_t at, NcBlock const& block) {
   return command;
 }
 
+void begin_slope(machine::Slope slope, ModalWords& modal) {
+  BlockDynamics changed = modal.dynamics ? *modal.dynamics : BlockDynamics{};
+  changed.slope = slope;
+  modal.dynamics = std::make_shared<BlockDynamics const>(changed);
+}
+
 }  // namespace
 
 void take_other_command(std::size_t at, NcBlock const& block, ProgramState& state) {
@@ -43,10 +49,14 @@ void take_other_command(std::size_t at, NcBlock const& block, ProgramState& stat
     return state.problems.refuse(block, token);
   }
   auto const command = written(at, block);
-  if (command == "#SLOPE[TYPE=TRAPEZ]" || command == "#SLOPE[TYPE=STEP]") {
-    state.modal.slope = Slope::trapezoid;
+  if (command == "#SLOPE[TYPE=TRAPEZ]") {
+    begin_slope(machine::Slope::trapez, state.modal);
+  } else if (command == "#SLOPE[TYPE=STEP]") {
+    begin_slope(machine::Slope::step, state.modal);
   } else if (command == "#SLOPE[TYPE=SIN2]") {
-    state.modal.slope = Slope::sine_squared;
+    begin_slope(machine::Slope::sin2, state.modal);
+  } else if (command == "#SLOPE[TYPE=HSC]") {
+    begin_slope(machine::Slope::hsc, state.modal);
   } else if (command.starts_with("#SLOPE")) {
     state.problems.refuse(block, token, says::cannot_simulate_slope);
   } else if (is_geometric(command)) {

@@ -92,7 +92,8 @@ void BlockMotion::move() {
   moves_ = false;
   moved_.reset();
   next_.feed = feed();
-  next_.slope = state_.modal.slope;
+  next_.dynamics = state_.modal.dynamics;
+  next_.rapid = state_.modal.motion == MotionKind::rapid;
   if (next_.label.empty()) next_.label = "L" + std::to_string(next_.line);
   bool const is_possible = make_arc();
   to_center_ = {};
