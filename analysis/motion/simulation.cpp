@@ -9,6 +9,13 @@ namespace {
 
 constexpr std::uint64_t cycles_per_call = 1024;
 
+Point windows_of(PathLimits const& path) {
+  Point windows{};
+  auto const& axes = path.dynamics().axes;
+  for (std::size_t i = 0; i < axes.size(); ++i) windows[i] = axes[i].exact_stop_window;
+  return windows;
+}
+
 }  // namespace
 
 Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path, bool constant_velocity,
@@ -19,6 +26,7 @@ Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path
       meter_(runtime_.axis_count(), *this),
       interpolator_(*this),
       constant_velocity_(constant_velocity),
+      exact_stop_windows_(windows_of(path)),
       look_ahead_(std::move(path), constant_velocity, interpolator_),
       limits_(std::move(limits)) {
   learn_answers();
@@ -121,13 +129,12 @@ void Simulation::finish_pass() {
 }
 
 void Simulation::step(ContourPoint const& point) {
-  Point filtered{};
-  auto const status = runtime_.step(point.nominal, filtered);
+  auto const status = runtime_.step(point.nominal, filtered_);
   if (status != AXISRT_OK && !failure_) {
     failure_ = SimulationFailure{.status = status, .command = {}, .blocking_axis = {}, .endless_line = {}};
   }
   ++cycles_;
-  meter_.cycle(point, filtered);
+  meter_.cycle(point, filtered_);
   if (limits_.working && cycles_ % cycles_per_call == 0) limits_.working();
 }
 
@@ -179,10 +186,36 @@ void Simulation::sample(Point const& setpoint, double velocity, PathBlock const&
   step(last_);
 }
 
-void Simulation::corner(PathBlock const& block, PathBlock const* next, double block_cycles) {
+void Simulation::phase(PathBlock const& block, Phase const& phase) {
+  if (!constant_velocity_) pass_.peaks.take(block, phase);
+}
+
+/// The axes are there when the filters have come so close. Drives follow their setpoints.
+void Simulation::exact_stop(PathBlock const& block) {
+  last_.velocity = 0;
+  auto const is_there = [this] {
+    for (std::size_t i = 0; i < runtime_.axis_count(); ++i) {
+      if (std::abs(filtered_[i] - last_.nominal[i]) > exact_stop_windows_[i]) return false;
+    }
+    return true;
+  };
+  double most = 0;
+  for (auto const& answer : answers_) most = std::max(most, answer.delay + answer.reach);
+  for (double n = 0; n < most && !failure_ && !is_there(); n += 1) {
+    if (room() < 1) return fail_for_length(block.line);
+    step(last_);
+  }
+}
+
+void Simulation::corner(PathBlock const& block, PathBlock const* next, double block_cycles,
+                        BlockMotion const& motion) {
   if (failure_) return;
   open_block(block);
-  if (auto* const summary = find_block(block.index)) summary->cycles = block_cycles;
+  if (auto* const summary = find_block(block.index)) {
+    summary->cycles = block_cycles;
+    summary->motion = motion;
+    summary->slope = block.mode->slope;
+  }
   ContourPoint point;
   point.nominal = block.end;
   point.block = block.index;

@@ -4,6 +4,7 @@
 // executed. The blocks between two commands are a pass.
 #pragma once
 
+#include "analysis/motion/axis_peaks.hpp"
 #include "analysis/motion/contour/contour_meter.hpp"
 #include "analysis/motion/group_runtime.hpp"
 #include "analysis/motion/interpolator.hpp"
@@ -34,6 +35,8 @@ struct PathSummary {
 };
 
 struct BlockSummary : PathSummary {
+  BlockMotion motion;
+  machine::Slope slope = machine::Slope::step;
   std::uint64_t index = 0;
   std::uint32_t line = 0;
   std::string label;
@@ -44,6 +47,7 @@ struct PassSummary : PathSummary {
   std::uint32_t line = 0;  ///< of the command
   std::uint64_t blocks = 0;
   std::optional<double> tolerance;  ///< to be monitored (AX_DEV), position units
+  AxisPeaks peaks;                  ///< of the setpoints before the filters, within blocks
 
   [[nodiscard]] bool keeps_tolerance() const { return !tolerance || largest_axis_error() <= *tolerance; }
 };
@@ -97,7 +101,10 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   [[nodiscard]] double room() const override;
   void no_room(PathBlock const& block) override;
   void sample(Point const& setpoint, double velocity, PathBlock const& block) override;
-  void corner(PathBlock const& block, PathBlock const* next, double block_cycles) override;
+  void phase(PathBlock const& block, Phase const& phase) override;
+  void corner(PathBlock const& block, PathBlock const* next, double block_cycles,
+              BlockMotion const& motion) override;
+  void exact_stop(PathBlock const& block) override;
   void measured(MeasuredPoint const& point) override;
 
   void begin_pass(std::string command, std::uint32_t line);
@@ -119,8 +126,10 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   ContourMeter meter_;
   Interpolator interpolator_;
   bool constant_velocity_;
+  Point exact_stop_windows_;  ///< of each axis, position units
   LookAhead look_ahead_;
   ContourPoint last_{};          ///< the setpoint that was given last
+  Point filtered_{};             ///< what the filters made of it
   std::uint32_t last_line_ = 0;  ///< of the block that moved last
   bool settled_ = true;          ///< the filters have come to rest there
   double tolerance_ = 0;

@@ -33,9 +33,9 @@ std::uint64_t digest(TimedPiece const& piece) {
   for (double const x : piece.at(0)) add(x);
   add(piece.length);
   add(piece.duration);
-  add(piece.profile.velocity_at(0));
-  add(piece.profile.velocity_at(piece.duration / 2));
-  add(piece.profile.velocity_at(piece.duration));
+  add(piece.phase.velocity_at(0));
+  add(piece.phase.velocity_at(piece.duration / 2));
+  add(piece.phase.velocity_at(piece.duration));
   return sum;
 }
 

@@ -1,7 +1,5 @@
 #include "analysis/tuning/suggestion/excitation.hpp"
 
-#include "analysis/motion/velocity_profile.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,17 +8,17 @@ namespace axisc::tuning {
 namespace {
 
 std::vector<double> ramp_of(Task const& task) {
-  double const duration = task.velocity / task.acceleration;
-  motion::VelocityProfile const profile({.length = task.velocity * (duration + 2),
-                                         .velocity_in = 0,
-                                         .velocity_out = task.velocity,
-                                         .velocity_limit = task.velocity,
-                                         .acceleration = task.acceleration});
+  double const a = task.acceleration;
+  double const duration = task.velocity / a;
+  auto const way_at = [&](double t) {
+    double const ramp = std::min(t, duration);
+    return a * ramp * ramp / 2 + task.velocity * (t - ramp);
+  };
   auto const last = static_cast<int>(std::ceil(duration));
   std::vector<double> ramp;
   double velocity = 0;
   for (int n = 0; n < last; ++n) {
-    double const next = profile.way_at(n + 1) - profile.way_at(n);
+    double const next = way_at(n + 1) - way_at(n);
     ramp.push_back(next - velocity);
     velocity = next;
   }

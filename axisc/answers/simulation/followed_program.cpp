@@ -54,17 +54,12 @@ class CommandCollector final : public motion::PathListener {
   machine::FilterParameters current_;
 };
 
-/// vb_max [µm/s], a_max [mm/s²] and a_trans_weight [0.1 %] per NC cycle.
-motion::PathLimits limits_of(machine::Machine const& machine, machine::MachineGroup const& group) {
-  double const T = machine.cycle_time.seconds();
-  std::vector<motion::AxisLimits> limits;
-  for (auto const index : group.axes) {
-    auto const& axis = machine.axes[index];
-    limits.push_back({.velocity = axis.velocity_limit * motion::units_per_um * T,
-                      .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T,
-                      .transition_weight = axis.transition_weight / 1000});
-  }
-  return motion::PathLimits(std::move(limits));
+motion::PathLimits limits_of(machine::Machine const& machine, machine::MachineGroup const& group,
+                             machine::MotionReadings const& readings) {
+  motion::PathDynamics dynamics{
+      .axes = {}, .channel = group.dynamics, .readings = readings, .cycle_time = machine.cycle_time};
+  for (auto const index : group.axes) dynamics.axes.push_back(machine.axes[index].dynamics);
+  return motion::PathLimits(std::move(dynamics));
 }
 
 /// A program is never held completely: a source holds only the line in question, with its line number.
@@ -163,9 +158,9 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
     }
   };
   motion::Simulation simulation(group_runtime(image, group, request.machine_path),
-                                group_runtime(image, group, request.machine_path), limits_of(machine, group),
-                                request.constant_velocity, listener,
-                                {.most_cycles = request.most_cycles, .working = show_progress});
+                                group_runtime(image, group, request.machine_path),
+                                limits_of(machine, group, request.readings), request.constant_velocity,
+                                listener, {.most_cycles = request.most_cycles, .working = show_progress});
   running = &simulation;
   motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
   program.read([&](std::string_view line, std::uint32_t offset) {

@@ -18,6 +18,7 @@ struct ProgramRequest {
   std::string machine_path;
   std::string program_path;
   bool constant_velocity = false;
+  machine::MotionReadings readings = {};  ///< how the control moves where the manual leaves it open
   std::uint64_t most_cycles = motion::SimulationLimits{}.most_cycles;
   /// Called now and then: the share of the program that has been read, and the seconds of machine time.
   std::function<void(double share, double seconds)> working = {};

@@ -89,7 +89,7 @@ TEST_CASE("what is ignored is named once, what is refused each time") {
       "G01 X1 F60 S1000 M03\n"
       "X2 S2000 M3 Z5\n"
       "G08 X3\n"
-      "#SLOPE [TYPE=HSC]\n"
+      "#SLOPE [TYPE=NEXT]\n"
       "#CONTOUR MODE OFF\n"
       "G02 X3\n"
       "P10=5+\n"
