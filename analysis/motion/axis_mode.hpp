@@ -1,7 +1,8 @@
 // What the axes allow in one kind of block: the lists' values with the weights of the program, per cycle.
 //
-// A weight above 100 % counts up to P-AXIS-00292, or `a_max` where a list does not set it; ramp times stay above
-// P-AXIS-00293. Velocities stay below vb_max; 0 % is 1 µm/s. HSC gives each ramp the longest of an axis' four times.
+// A weight above 100 % counts up to P-AXIS-00292, or `a_max` where a list does not set it; ramp times stay
+// above P-AXIS-00293. Velocities stay below vb_max; 0 % is 1 µm/s. HSC gives each ramp the longest of an
+// axis' four times.
 #pragma once
 
 #include "analysis/motion/block_dynamics.hpp"

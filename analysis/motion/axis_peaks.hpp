@@ -1,6 +1,6 @@
 // The largest acceleration and jerk of each axis along a path.
 //
-// On a straight line they are  |u_i| a, |u_i| j.  In the plane of an arc, with v, a, j along the path and ρ its
+// On a straight line they are |u_i| a, |u_i| j. In the plane of an arc, with v, a, j along the path and ρ its
 // radius of curvature, the vectors
 //     a t + v²/ρ n,  (j - v³/ρ² share²) t + 3 v a/ρ n
 // point anywhere while the arc turns: their lengths count for both axes.

@@ -1,5 +1,5 @@
-// What the words of a program say about how fast its blocks are passed: weights of the lists' values, the slope,
-// limits of the path. Blocks share one of these until a word changes it.
+// What the words of a program say about how fast its blocks are passed: weights of the lists' values, the
+// slope, limits of the path. Blocks share one of these until a word changes it.
 #pragma once
 
 #include "analysis/motion/point.hpp"

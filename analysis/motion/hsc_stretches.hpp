@@ -1,10 +1,10 @@
-// Planning across the ends of blocks (#SLOPE HSC; a reading, the manual says only that this slope plans so): TRAPEZ
-// on stretches instead of blocks.
+// Planning across the ends of blocks (#SLOPE HSC; a reading, the manual says only that this slope plans so):
+// TRAPEZ on stretches instead of blocks.
 //
-// Between stops there is at first one stretch, with the weakest acceleration and jerk of its blocks and the highest
-// of their velocities. Where its motion exceeds limits, the lowest of them becomes a place with acceleration 0: both
-// ends of a block that is too slow for it, or a junction. Stretches between places are planned as blocks are
-// (velocity_window.hpp), until no limit is exceeded.
+// Between stops there is at first one stretch, with the weakest acceleration and jerk of its blocks and the
+// highest of their velocities. Where its motion exceeds limits, the lowest of them becomes a place with
+// acceleration 0: both ends of a block that is too slow for it, or a junction. Stretches between places are
+// planned as blocks are (velocity_window.hpp), until no limit is exceeded.
 #pragma once
 
 #include "analysis/motion/phase.hpp"
@@ -26,8 +26,9 @@ struct StretchPart {
   bool is_place = false;  ///< the acceleration is 0 at its end
 };
 
-/// `velocity` is that of the path before the first element, where its acceleration is 0. The path stops at the end;
-/// `ends`: the program has nothing more. Cost: a few passes over the elements, at worst one for each place.
+/// `velocity` is that of the path before the first element, where its acceleration is 0. The path stops at
+/// the end; `ends`: the program has nothing more. Cost: a few passes over the elements, at worst one for each
+/// place.
 [[nodiscard]] std::vector<StretchPart> plan_stretches(std::span<PathElement const> elements, double velocity,
                                                       bool ends);
 

@@ -1,12 +1,13 @@
 // Path planning: blocks go in, phases of constant jerk come out.
 //
-// Without tolerance monitoring a block is handed on as soon as the control would begin it (velocity_window.hpp).
+// Without tolerance monitoring a block is handed on as soon as the control would begin it
+// (velocity_window.hpp).
 //
-// With tolerance monitoring, and where the acceleration need not be 0 at the ends of blocks, more blocks are held
-// and planned together. With monitoring a plan is changed until it keeps the tolerance, the stop at its end
-// included. Only blocks that no later plan touches are handed on: those that end so long before the stop that
-// neither its ramp nor a kernel reaches them. If no longer plan keeps the tolerance for them, the last one that did
-// is driven to its end, where the path stops.
+// With tolerance monitoring, and where the acceleration need not be 0 at the ends of blocks, more blocks are
+// held and planned together. With monitoring a plan is changed until it keeps the tolerance, the stop at its
+// end included. Only blocks that no later plan touches are handed on: those that end so long before the stop
+// that neither its ramp nor a kernel reaches them. If no longer plan keeps the tolerance for them, the last
+// one that did is driven to its end, where the path stops.
 #pragma once
 
 #include "analysis/motion/hsc_stretches.hpp"

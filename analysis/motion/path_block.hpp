@@ -54,8 +54,8 @@ struct PathBlock {
 ///
 /// In a direction u no axis exceeds its own:
 ///     v ≤ v_i / |u_i|,  a = min a_i / |u_i|,  jerk = min (a_i / tr_i) / |u_i|,
-/// separately for each of the four ramps, whose times along the path are a / jerk. With STEP a(v) takes the stage
-/// of each axis at |u_i| v.
+/// separately for each of the four ramps, whose times along the path are a / jerk. With STEP a(v) takes the
+/// stage of each axis at |u_i| v.
 ///
 /// On an arc, with ρ = r / share² and the weaker axis, direction and stage of its plane,
 ///     v² ≤ a ρ / √2,  v³ / ρ² ≤ a / tr_geom (not STEP),
@@ -68,8 +68,8 @@ class PathLimits {
   [[nodiscard]] PathDynamics const& dynamics() const { return dynamics_; }
   /// ACC_FACT, from the next block on.
   void set_acceleration_factor(double factor);
-  /// The block from `position`, without index. `most` is a velocity that other causes give; `begins_faster` where
-  /// the block before brakes late.
+  /// The block from `position`, without index. `most` is a velocity that other causes give; `begins_faster`
+  /// where the block before brakes late.
   [[nodiscard]] PathBlock block(ProgrammedBlock const& block, Point const& position, double length,
                                 double most, bool begins_faster);
 

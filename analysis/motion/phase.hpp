@@ -1,5 +1,5 @@
-// A phase of a motion along a path: constant velocity, constant acceleration, constant jerk, or an acceleration that
-// rises or falls like sin².
+// A phase of a motion along a path: constant velocity, constant acceleration, constant jerk, or an
+// acceleration that rises or falls like sin².
 //
 // With constant jerk,
 //     v = v0 + a t + j t²/2,  s = v0 t + a t²/2 + j t³/6.

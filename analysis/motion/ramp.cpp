@@ -16,7 +16,7 @@ constexpr int newton_steps = 60;
 /// Times this near to a whole cycle are it.
 constexpr double whole = 1e-9;
 
-/// Root of  A q³ + B q = L  with A, B ≥ 0. The left side is convex: Newton's method comes from above and stays
+/// Root of A q³ + B q = L with A, B ≥ 0. The left side is convex: Newton's method comes from above and stays
 /// there.
 double cubic_root(double A, double B, double L, double above) {
   double q = above;

@@ -1,17 +1,17 @@
-// One change of velocity along a path, between a slow and a fast end: how long it takes, how far it leads, and what
-// it looks like.
+// One change of velocity along a path, between a slow and a fast end: how long it takes, how far it leads,
+// and what it looks like.
 //
 // STEP has an acceleration a(v) that is constant between changeovers. So
 //     t = Σ Δ_k / a_k,  s = Σ (v_k+1² - v_k²) / 2 a_k.
 //
-// The other slopes build the acceleration up and take it back. With Δ the change, a the most acceleration, t_s and
-// t_f the times of its ramps at the slow and the fast end, t̄ = t_s + t_f:
+// The other slopes build the acceleration up and take it back. With Δ the change, a the most acceleration,
+// t_s and t_f the times of its ramps at the slow and the fast end, t̄ = t_s + t_f:
 //     Δ ≥ a t̄/2:  peak p = a for h = Δ/a - t̄/2
 //     smaller Δ:   constant jerk: times q t_s and q t_f, p = q a, q = √(2Δ / a t̄)
 //                  constant ramp times: p = 2Δ/t̄
 //     s = v_slow t + p (c1 t_s² + t_s h/2 + h²/2 + (t_s/2 + h) t_f + c2 t_f²),
-// with c1 = 1/6, c2 = 1/3, or for sin² c1 = 1/4 - 1/π², c2 = 1/4 + 1/π². Braking is this backwards in time, because
-// c1 + c2 = 1/2.
+// with c1 = 1/6, c2 = 1/3, or for sin² c1 = 1/4 - 1/π², c2 = 1/4 + 1/π². Braking is this backwards in time,
+// because c1 + c2 = 1/2.
 #pragma once
 
 #include "analysis/motion/phase.hpp"
@@ -58,8 +58,8 @@ class Ramp {
   [[nodiscard]] double growth(double slow, double fast) const;
   /// The highest fast end within a way. Cost: closed forms, or some steps of Newton's method.
   [[nodiscard]] double fastest(double slow, double length) const;
-  /// The highest slow end below `slow` from which, or to which, the way to `fast` is short enough: with limited
-  /// jerk the way grows with the slow end up to a hump. Negative where even 0 is too far.
+  /// The highest slow end below `slow` from which, or to which, the way to `fast` is short enough: with
+  /// limited jerk the way grows with the slow end up to a hump. Negative where even 0 is too far.
   [[nodiscard]] double slowest(double slow, double fast, double length) const;
 
   void append_up(double from, double to, std::vector<Phase>& phases) const;

@@ -1,13 +1,15 @@
 // The look-ahead of the control: which velocity the path has from block to block.
 //
-// When block k begins, the control knows the blocks k … k+N-1, and can stop at their end. Backwards from there,
+// When block k begins, the control knows the blocks k … k+N-1, and can stop at their end. Backwards from
+// there,
 //     V_k = min(limit, highest v0 with s(v0, V_{k+1}) ≤ L_k),
 // forwards the highest velocity up to V_{k+1} that the block can reach.
 //
 // With limited jerk the way s(v0, v1) of braking grows from v1 = 0 up to a hump, v0/3 without constant
-// acceleration, and falls only then. So a block more in the window can lower V_k below the velocity that the path
-// has already. Therefore what a shorter window allowed stays allowed: V_k never falls. Where V_{k+1} is then out of
-// reach, the block ends with the highest velocity on the rising branch, which a shorter window was content with.
+// acceleration, and falls only then. So a block more in the window can lower V_k below the velocity that the
+// path has already. Therefore what a shorter window allowed stays allowed: V_k never falls. Where V_{k+1} is
+// then out of reach, the block ends with the highest velocity on the rising branch, which a shorter window
+// was content with.
 //
 // Ends of V_k that do not change end the way backwards: a block costs as many steps as it changes velocities.
 #pragma once

@@ -1,5 +1,5 @@
-// How fast a path may be driven: what the lists of axes and channels say about velocity, acceleration and jerk.
-// Units are those of the lists; every cap that a list sets on its own values is already applied.
+// How fast a path may be driven: what the lists of axes and channels say about velocity, acceleration and
+// jerk. Units are those of the lists; every cap that a list sets on its own values is already applied.
 #pragma once
 
 #include <cstdint>

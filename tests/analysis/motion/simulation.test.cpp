@@ -169,7 +169,8 @@ TEST_CASE("planned paths keep the axes' limits and end where they should") {
 }
 
 TEST_CASE("a straight path in many blocks takes as long as in one") {
-  // 28000 mm/min and 10 m/s² brake within 10.9 mm, which are fewer blocks than the 120 that the control knows.
+  // 28000 mm/min and 10 m/s² brake within 10.9 mm, which are fewer blocks than the 120 that the control
+  // knows.
   std::string program = "G01 F28000\n";
   for (int i = 1; i <= 5000; ++i) program += fmt::format("X{:.2f}\n", i * 0.1);
   auto const pieces = simulated(channel_of({{.order = 10}}), program);
