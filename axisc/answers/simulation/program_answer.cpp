@@ -2,7 +2,9 @@
 
 #include "analysis/motion/point.hpp"
 
+#include <array>
 #include <iterator>
+#include <string_view>
 
 namespace axisc::says {
 
@@ -46,6 +48,18 @@ Table table_with(std::string const& key, SentenceRef label, SimulatedPath const&
   return table;
 }
 
+std::string_view symbol_of(machine::Slope slope) {
+  constexpr std::array<std::string_view, 4> symbols = {"STEP", "TRAPEZ", "SIN2", "HSC"};
+  return symbols.at(static_cast<std::size_t>(slope));
+}
+
+std::string_view symbol_of(motion::LimitedBy cause) {
+  constexpr std::array<std::string_view, 10> symbols = {"feed",      "axis",         "curve",   "curve-jerk",
+                                                        "corner",    "tangent-jerk", "braking", "look-ahead",
+                                                        "tolerance", "stop"};
+  return symbols.at(static_cast<std::size_t>(cause));
+}
+
 /// The command that a pass begins with, and whether it exceeds its tolerance.
 Words filters_of(motion::PassSummary const& pass) {
   Words const command =
@@ -80,7 +94,14 @@ ProgramSummary::ProgramSummary(SimulatedPath const& path)
     : path_(path),
       blocks_(table_with("block", says::block, path)),
       passes_(table_with("pass", says::pass, path)) {
+  for (auto& one :
+       data_columns({"velocity_in_mm_s", "velocity_peak_mm_s", "velocity_out_mm_s", "slope", "limited_by"})) {
+    blocks_.columns.push_back(std::move(one));
+  }
   passes_.key = "passes";
+  for (char const* const key : {"max_acceleration_mm_s2", "max_jerk_mm_s3"}) {
+    for (auto const& axis : path.axes) passes_.columns.push_back(data_column(key, axis));
+  }
   for (auto& one : data_columns({"command", "blocks", "tolerance_um", "tolerance_kept"})) {
     passes_.columns.push_back(std::move(one));
   }
@@ -105,7 +126,11 @@ void ProgramSummary::add(Table& table, Row row, motion::PathSummary const& summa
 }
 
 void ProgramSummary::block(motion::BlockSummary const& summary) {
-  add(blocks_, {summary.label, summary.line}, summary, {});
+  double const per_second = 1 / (motion::units_per_mm * path_.cycle_time.seconds());
+  auto const& motion = summary.motion;
+  add(blocks_, {summary.label, summary.line}, summary,
+      {motion.velocity_in * per_second, motion.velocity_peak * per_second, motion.velocity_out * per_second,
+       symbol_of(summary.slope), symbol_of(motion.limited_by)});
 }
 
 void ProgramSummary::pass(motion::PassSummary const& summary) {
@@ -115,9 +140,20 @@ void ProgramSummary::pass(motion::PassSummary const& summary) {
     tolerance = *summary.tolerance / units_per_um;
     kept = summary.keeps_tolerance();
   }
-  add(passes_, {passes_.rows.size() + 1, summary.line == 0 ? Value() : summary.line}, summary,
-      {summary.command.empty() ? Value() : summary.command, summary.blocks, tolerance, kept,
-       filters_of(summary)});
+  double const T = path_.cycle_time.seconds();
+  Row rest;
+  for (std::size_t i = 0; i < path_.axes.size(); ++i) {
+    rest.emplace_back(summary.peaks.acceleration[i] / (motion::units_per_mm * T * T));
+  }
+  for (std::size_t i = 0; i < path_.axes.size(); ++i) {
+    double const jerk = summary.peaks.jerk[i] / (motion::units_per_mm * T * T * T);
+    rest.push_back(summary.peaks.jumps ? Value() : Value(jerk));
+  }
+  for (auto const& value : Row{summary.command.empty() ? Value() : summary.command, summary.blocks, tolerance,
+                               kept, filters_of(summary)}) {
+    rest.push_back(value);
+  }
+  add(passes_, {passes_.rows.size() + 1, summary.line == 0 ? Value() : summary.line}, summary, rest);
 }
 
 Document ProgramSummary::answer(FollowedProgram const& followed) && {

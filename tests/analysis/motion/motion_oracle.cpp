@@ -173,6 +173,9 @@ class Looker {
       : dynamics_(dynamics), T_(dynamics.cycle_time.seconds()), found_(figures) {}
 
   void look(std::vector<Block> const& blocks) {
+    // HSC has a window of its own.
+    has_hsc_ = std::any_of(blocks.begin(), blocks.end(),
+                           [](Block const& block) { return block.slope == Slope::hsc; });
     Block const* before = nullptr;
     double velocity = 0;
     double acceleration = 0;
@@ -346,7 +349,7 @@ class Looker {
 
   /// The path can stop within the blocks that are known.
   void known(std::vector<Block> const& blocks, std::size_t first, double velocity) {
-    if (blocks[first].slope == Slope::hsc) return;
+    if (has_hsc_) return;
     double squares = 0;
     std::size_t const end = std::min(blocks.size(), first + std::size_t{dynamics_.channel.look_ahead_blocks});
     for (std::size_t i = first; i < end; ++i) squares += 2 * strongest(blocks[i], 1) * blocks[i].length;
@@ -378,6 +381,7 @@ class Looker {
   OracleFigures& found_;
   double entry_ = 0;
   bool begins_late_ = false;
+  bool has_hsc_ = false;
   std::size_t sense_ = 0;  ///< up, down
   bool builds_ = false;    ///< the acceleration
 };
