@@ -12,21 +12,21 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double pi_squared = std::numbers::pi * std::numbers::pi;
 /// Bits of a double, and some.
 constexpr int halvings = 80;
-constexpr int newton_steps = 60;
+constexpr int most_steps = 60;
+constexpr double last_step = 4e-6;
 /// Times this near to a whole cycle are it.
 constexpr double whole = 1e-9;
 
-/// Root of A q³ + B q = L with A, B ≥ 0. The left side is convex: Newton's method comes from above and stays
-/// there.
-double cubic_root(double A, double B, double L, double above) {
-  double q = above;
-  for (int i = 0; i < newton_steps; ++i) {
-    double const error = q * (A * q * q + B) - L;
-    double const next = q - error / (3 * A * q * q + B);
-    if (!(next < q)) break;
-    bool const is_close = q - next < 1e-16 * q;
-    q = next;
-    if (is_close) break;
+/// Root of f(q) = A q³ + B q - L with A, B ≥ 0, by Halley's method: each step leaves the cube of its share as
+/// error.
+double cubic_root(double A, double B, double L, double q) {
+  for (int i = 0; i < most_steps; ++i) {
+    double const square = A * q * q;
+    double const f = q * (square + B) - L;
+    double const slope = 3 * square + B;
+    double const step = f * slope / (slope * slope - 3 * A * q * f);
+    q -= step;
+    if (std::abs(step) < last_step * q) break;
   }
   return q;
 }
@@ -47,6 +47,9 @@ Ramp::Ramp(RampTimes const& times, RampRules const& rules)
   double const s = times_.at_slow_end;
   double const f = times_.at_fast_end;
   cubic_ = times_.acceleration * (c1_ * s * s + s * f / 2 + c2_ * f * f);
+  change_time_ = s + f;
+  half_change_ = times_.acceleration * change_time_ / 2;
+  closed_ = !rules.constant_times && !rules.whole_cycles && cubic_ > 0;
 }
 
 Ramp::Ramp(std::array<AccelerationStep, most_axes + 1> const& steps, std::size_t count, bool whole_cycles)
@@ -132,6 +135,22 @@ double Ramp::growth(double slow, double fast) const {
 }
 
 double Ramp::fastest(double slow, double length) const {
+  double share = 1;
+  return fastest(slow, length, share);
+}
+
+double Ramp::fastest(double slow, double length, double& share) const {
+  double const linear = slow * change_time_;
+  if (closed_ && length < linear + cubic_ && length > 0) {
+    double above = share;
+    if (linear > cubic_) {
+      above = std::min(above, length / linear);
+    } else if (share == 1) {
+      above = std::min(1.0, std::cbrt(length / cubic_));
+    }
+    share = cubic_root(cubic_, linear, length, above);
+    return slow + share * share * half_change_;
+  }
   double const reached = fastest_continuous(slow, length);
   if (!rules_.whole_cycles) return reached;
   // Rounded up, every time is longer.
@@ -171,7 +190,7 @@ double Ramp::fastest_continuous(double slow, double length) const {
     }
     double const above = std::min(1.0, linear > cubic_ ? length / linear : std::cbrt(length / cubic_));
     double const q = cubic_root(cubic_, linear, length, above);
-    return slow + q * q * a * both / 2;
+    return slow + q * q * half_change_;
   }
   if (rules_.whole_change) return std::sqrt(slow * slow + a * length);
   double const b = slow + a * (times_.at_slow_end / 2 + times_.at_fast_end);

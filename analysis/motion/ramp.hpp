@@ -58,6 +58,9 @@ class Ramp {
   [[nodiscard]] double growth(double slow, double fast) const;
   /// The highest fast end within a way. Cost: closed forms, or some steps of Newton's method.
   [[nodiscard]] double fastest(double slow, double length) const;
+  /// The same for a slow end that has only grown since the last call: `share`, at first 1, is the q that was
+  /// found.
+  [[nodiscard]] double fastest(double slow, double length, double& share) const;
   /// The highest slow end below `slow` from which, or to which, the way to `fast` is short enough: with
   /// limited jerk the way grows with the slow end up to a hump. Negative where even 0 is too far.
   [[nodiscard]] double slowest(double slow, double fast, double length) const;
@@ -88,7 +91,10 @@ class Ramp {
   RampTimes times_;
   RampRules rules_;
   double c1_ = 0, c2_ = 0;
-  double cubic_ = 0;  ///< p-share of the way without h, at p = a
+  double cubic_ = 0;        ///< way of the change alone, without h, at p = a
+  double change_time_ = 0;  ///< t̄
+  double half_change_ = 0;  ///< a t̄/2
+  bool closed_ = false;     ///< `fastest` follows from q alone where p < a
   std::array<AccelerationStep, most_axes + 1> steps_{};
   std::size_t count_ = 0;
 };

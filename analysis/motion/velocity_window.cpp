@@ -10,8 +10,8 @@ constexpr double same_way = 1e-12;
 constexpr double same_velocity = 1e-12;
 
 /// The highest velocity before an element with which it ends at `next`.
-double highest_before(PathElement const& element, double next) {
-  return element.down->fastest(next, element.length);
+double highest_before(PathElement& element, double next) {
+  return element.down->fastest(next, element.length, element.share);
 }
 
 /// Why an element is not passed faster; `next` is what follows it.
@@ -38,6 +38,7 @@ BlockTask task_of(PathElement const& element, double velocity_in, double velocit
 
 void VelocityWindow::begin(double velocity, bool moves) {
   elements_.clear();
+  first_ = pending_ = 0;
   velocity_ = velocity;
   moves_ = moves;
   primed_ = false;
@@ -45,18 +46,23 @@ void VelocityWindow::begin(double velocity, bool moves) {
 
 void VelocityWindow::push(PathElement const& element) {
   elements_.push_back(element);
-  if (primed_) raise();
+  if (!primed_) return;
+  auto& last = elements_.back();
+  double const braking = last.down->fastest(0, last.length);
+  last.allowed = std::min(last.entry, braking);
+  last.waits_for_blocks = braking < last.entry;
 }
 
 /// All of the first window.
 void VelocityWindow::prime() {
   primed_ = true;
+  pending_ = elements_.size();
   double next = 0;
   bool waits = true;
-  for (std::size_t i = elements_.size(); i-- > 0;) {
+  for (std::size_t i = elements_.size(); i-- > first_;) {
     auto& element = elements_[i];
     double braking = highest_before(element, next);
-    if (moves_) braking = std::max(braking, highest_before(element, 0));
+    if (moves_) braking = std::max(braking, element.down->fastest(0, element.length));
     element.waits_for_blocks = waits && braking < element.entry;
     element.allowed = std::min(element.entry, braking);
     next = element.allowed;
@@ -64,32 +70,47 @@ void VelocityWindow::prime() {
   }
 }
 
-/// Backwards from a new last element, as far as it changes something.
+/// Backwards from the last element, as far as it changes something.
 void VelocityWindow::raise() {
-  double next = 0;
-  bool waits = true;
-  for (std::size_t i = elements_.size(); i-- > 1;) {
+  for (std::size_t i = elements_.size() - 1; i-- > first_ + 1;) {
     auto& element = elements_[i];
-    double const braking = highest_before(element, next);
-    double const found = std::min(element.entry, braking);
-    if (found <= element.allowed) break;
-    element.allowed = found;
-    element.waits_for_blocks = waits && braking < element.entry;
-    next = found;
-    waits = element.waits_for_blocks;
+    auto const& next = elements_[i + 1];
+    bool changes = false;
+    if (element.allowed < element.entry) {
+      double const braking = highest_before(element, next.allowed);
+      double const found = std::min(element.entry, braking);
+      changes = found > element.allowed;
+      if (changes) {
+        element.allowed = found;
+        element.waits_for_blocks = next.waits_for_blocks && braking < element.entry;
+      }
+    }
+    if (!changes && i < pending_) break;
   }
+  pending_ = elements_.size();
+}
+
+/// Elements are moved only now and then.
+void VelocityWindow::forget_passed() {
+  constexpr std::size_t many = 1024;
+  if (first_ < many || first_ < elements_.size() / 2) return;
+  elements_.erase(elements_.begin(), elements_.begin() + static_cast<std::ptrdiff_t>(first_));
+  pending_ -= std::min(pending_, first_);
+  first_ = 0;
 }
 
 PassedElement VelocityWindow::pass(bool ends) {
   if (!primed_) prime();
-  PassedElement passed{.element = elements_.front(), .velocity_in = velocity_};
+  PassedElement passed{.element = elements_[first_], .velocity_in = velocity_};
   auto const& element = passed.element;
-  bool const is_last = elements_.size() == 1;
-  PathElement const* const next = is_last ? nullptr : &elements_[1];
+  bool const is_last = size() == 1;
+  PathElement const* const next = is_last ? nullptr : &elements_[first_ + 1];
+  double const reached = element.up->fastest(velocity_, element.length);
+  if (!is_last && pending_ < elements_.size() && next->allowed < std::min(reached, next->entry)) raise();
   double const wanted = is_last ? 0 : next->allowed;
   passed.waits_for_blocks = !ends && (is_last || next->waits_for_blocks);
   if (wanted >= velocity_) {
-    passed.velocity_out = std::min(wanted, element.up->fastest(velocity_, element.length));
+    passed.velocity_out = std::min(wanted, reached);
   } else if (element.down->way(wanted, velocity_) <= element.length * (1 + same_way)) {
     passed.velocity_out = wanted;
   } else {
@@ -100,7 +121,8 @@ PassedElement VelocityWindow::pass(bool ends) {
   passed.velocity_middle = middle_velocity(task_of(element, velocity_, passed.velocity_out));
   passed.limited_by = cause_of(passed, next, ends);
   velocity_ = passed.velocity_out;
-  elements_.pop_front();
+  ++first_;
+  forget_passed();
   return passed;
 }
 

@@ -11,7 +11,10 @@
 // then out of reach, the block ends with the highest velocity on the rising branch, which a shorter window
 // was content with.
 //
-// Ends of V_k that do not change end the way backwards: a block costs as many steps as it changes velocities.
+// Two things keep this cheap. V_k is at least what an earlier window allowed, so that nothing is computed as
+// long as that is more than the path can reach; and the way backwards ends where it changes nothing. What
+// windows in between would have allowed makes no difference: because of the hump, if s(v0, v1) ≤ L for any v1
+// up to V_{k+1}, it is for V_{k+1} or for 0, with which the block was the last of a window once.
 #pragma once
 
 #include "analysis/motion/block_profile.hpp"
@@ -19,7 +22,6 @@
 #include "analysis/motion/ramp.hpp"
 
 #include <cstddef>
-#include <deque>
 #include <vector>
 
 namespace axisc::motion {
@@ -37,7 +39,8 @@ struct PathElement {
   bool ends_block = true;
   bool across = false;  ///< the acceleration need not be 0 at its ends (hsc_stretches.hpp)
 
-  double allowed = 0;             ///< V_k
+  double allowed = 0;             ///< V_k, or what an earlier window allowed
+  double share = 1;               ///< see Ramp::fastest
   bool waits_for_blocks = false;  ///< V_k is that low because the window ends
 };
 
@@ -55,16 +58,18 @@ class VelocityWindow {
   /// `moves`: the path is not at its beginning, and each element was the last of a window before.
   void begin(double velocity, bool moves);
   void push(PathElement const& element);
-  [[nodiscard]] std::size_t size() const { return elements_.size(); }
-  [[nodiscard]] PathElement const& front() const { return elements_.front(); }
+  [[nodiscard]] std::size_t size() const { return elements_.size() - first_; }
   /// Passes the first element. `ends`: the path stops after the last one.
   [[nodiscard]] PassedElement pass(bool ends);
 
  private:
   void prime();
   void raise();
+  void forget_passed();
 
-  std::deque<PathElement> elements_;
+  std::vector<PathElement> elements_;
+  std::size_t first_ = 0;    ///< of those that are not passed
+  std::size_t pending_ = 0;  ///< the first that those before it do not know of
   double velocity_ = 0;
   bool moves_ = false;
   bool primed_ = false;
