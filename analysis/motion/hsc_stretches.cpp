@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace axisc::motion {
 namespace {
@@ -12,11 +13,19 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Rounding of velocities.
 constexpr double same_velocity = 1e-11;
 
-/// Elements from `first` up to `end`, their motion, and which limits it exceeds.
+/// Ramps of several elements.
+struct Weakest {
+  Ramp up, down;
+};
+
+/// Elements from `first` up to `end`.
 struct Stretch {
   std::size_t first = 0, end = 0;
-  Ramp up, down;
+  std::unique_ptr<Weakest> ramps;  ///< none: one element, with its own
   PathElement whole;
+  double velocity_in = -1, velocity_out = -1;  ///< between which nothing exceeds its limit
+
+  [[nodiscard]] bool is_single() const { return end - first == 1; }
 };
 
 /// The weakest acceleration and jerk of ramps.
@@ -36,15 +45,16 @@ Ramp weakest(std::span<PathElement const> elements, Ramp const* PathElement::*wh
 }
 
 Stretch stretch_of(std::span<PathElement const> elements, std::size_t first, std::size_t end) {
-  Stretch stretch{.first = first, .end = end, .up = {}, .down = {}, .whole = elements[first]};
-  if (end - first == 1) {
-    stretch.up = *elements[first].up;
-    stretch.down = *elements[first].down;
-    return stretch;
-  }
+  Stretch stretch;
+  stretch.first = first;
+  stretch.end = end;
+  stretch.whole = elements[first];
+  if (stretch.is_single()) return stretch;
   auto const parts = elements.subspan(first, end - first);
-  stretch.up = weakest(parts, &PathElement::up);
-  stretch.down = weakest(parts, &PathElement::down);
+  stretch.ramps = std::make_unique<Weakest>();
+  *stretch.ramps = {.up = weakest(parts, &PathElement::up), .down = weakest(parts, &PathElement::down)};
+  stretch.whole.up = &stretch.ramps->up;
+  stretch.whole.down = &stretch.ramps->down;
   stretch.whole.length = 0;
   for (auto const& part : parts) {
     stretch.whole.length += part.length;
@@ -73,13 +83,16 @@ class Plan {
       collect();
       choose();
     } while (split());
+    parts_.resize(elements_.size());
+    for (std::size_t i = 0; i < stretches_.size(); ++i) share_out(stretches_[i], passed_[i]);
     return std::move(parts_);
   }
 
  private:
-  /// Stretches that did not change keep their ramps.
+  /// Stretches that did not change stay.
   void collect() {
     std::vector<Stretch> found;
+    found.reserve(stretches_.size() + 1);
     std::size_t known = 0;
     for (std::size_t first = 0; first < elements_.size();) {
       std::size_t end = first + 1;
@@ -87,7 +100,7 @@ class Plan {
       while (known < stretches_.size() && stretches_[known].first < first) ++known;
       bool const is_known =
           known < stretches_.size() && stretches_[known].first == first && stretches_[known].end == end;
-      found.push_back(is_known ? stretches_[known] : stretch_of(elements_, first, end));
+      found.push_back(is_known ? std::move(stretches_[known++]) : stretch_of(elements_, first, end));
       first = end;
     }
     stretches_ = std::move(found);
@@ -95,11 +108,7 @@ class Plan {
 
   void choose() {
     window_.begin(velocity_, velocity_ > 0);
-    for (auto& stretch : stretches_) {
-      stretch.whole.up = &stretch.up;
-      stretch.whole.down = &stretch.down;
-      window_.push(stretch.whole);
-    }
+    for (auto const& stretch : stretches_) window_.push(stretch.whole);
     passed_.clear();
     while (window_.size() > 0) passed_.push_back(window_.pass(ends_));
   }
@@ -107,48 +116,82 @@ class Plan {
   /// False where nothing exceeds its limits.
   bool split() {
     bool splits = false;
-    parts_.resize(elements_.size());
-    for (std::size_t i = 0; i < stretches_.size(); ++i) splits = split(stretches_[i], passed_[i]) || splits;
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      auto& stretch = stretches_[i];
+      auto& passed = passed_[i];
+      bool const is_known =
+          stretch.velocity_in == passed.velocity_in && stretch.velocity_out == passed.velocity_out;
+      if (stretch.is_single() || is_known) continue;
+      if (split(stretch, passed)) {
+        splits = true;
+      } else {
+        stretch.velocity_in = passed.velocity_in;
+        stretch.velocity_out = passed.velocity_out;
+      }
+    }
     return splits;
   }
 
-  bool split(Stretch const& stretch, PassedElement const& passed) {
-    phases_.clear();
-    append_profile(task_of(passed.element, passed.velocity_in, passed.velocity_out), passed.velocity_middle,
-                   phases_);
-    if (stretch.end - stretch.first == 1) {
-      auto& part = parts_[stretch.first];
-      part.passed = passed;
-      part.phases = phases_;
-      part.is_place = true;
-      return false;
-    }
+  bool split(Stretch const& stretch, PassedElement& passed) {
     if (!passed.is_possible) {
       std::fill(places_.begin() + static_cast<std::ptrdiff_t>(stretch.first),
                 places_.begin() + static_cast<std::ptrdiff_t>(stretch.end), char{1});
       return true;
     }
-    cut(stretch, passed);
-    return split_at_lowest(stretch);
+    find_profile(passed);
+    exceeded_.clear();
+    PhaseCutter cutter(phases_);
+    double velocity = passed.velocity_in;
+    for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+      auto const& element = elements_[i];
+      if (i > stretch.first) exceed(velocity, element.entry, i, i);
+      cutter.advance(i + 1 == stretch.end ? unlimited : element.length);
+      exceed(cutter.highest(), element.velocity, i, i + 1);
+      velocity = cutter.velocity();
+    }
+    return split_at_lowest();
   }
 
-  void cut(Stretch const& stretch, PassedElement const& passed) {
+  void find_profile(PassedElement& passed) {
+    complete(passed);
+    phases_.clear();
+    append_profile(task_of(passed), passed.velocity_middle, phases_);
+  }
+
+  void exceed(double velocity, double limit, std::size_t from, std::size_t to) {
+    if (velocity > limit * (1 + same_velocity)) exceeded_.push_back({limit, from, to});
+  }
+
+  bool split_at_lowest() {
+    double lowest = unlimited;
+    for (auto const& one : exceeded_) lowest = std::min(lowest, one.limit);
+    bool splits = false;
+    for (auto const& one : exceeded_) {
+      if (one.limit > lowest * (1 + same_velocity)) continue;
+      splits = splits || places_[one.from] == 0 || places_[one.to] == 0;
+      places_[one.from] = places_[one.to] = 1;
+    }
+    return splits;
+  }
+
+  /// The motion of a stretch to its elements.
+  void share_out(Stretch const& stretch, PassedElement& passed) {
+    find_profile(passed);
+    if (stretch.is_single()) {
+      parts_[stretch.first] = {.passed = passed, .phases = phases_, .is_place = true};
+      return;
+    }
     PhaseCutter cutter(phases_);
     double velocity = passed.velocity_in;
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       auto& part = parts_[i];
-      part.phases.clear();
       bool const is_last = i + 1 == stretch.end;
-      cutter.cut(is_last ? unlimited : elements_[i].length, part.phases);
+      cutter.advance(is_last ? unlimited : elements_[i].length, &part.phases);
       part.passed = passed;
       part.passed.element = elements_[i];
       part.passed.velocity_in = velocity;
-      part.passed.velocity_middle = velocity;
-      for (auto const& phase : part.phases) {
-        part.passed.velocity_middle = std::max({part.passed.velocity_middle, phase.velocity});
-      }
+      part.passed.velocity_middle = cutter.highest();
       velocity = is_last ? passed.velocity_out : cutter.velocity();
-      part.passed.velocity_middle = std::max(part.passed.velocity_middle, velocity);
       part.passed.velocity_out = velocity;
       part.is_place = is_last || cutter.is_steady();
       part.passed.limited_by = cause_of(stretch, passed, i);
@@ -166,31 +209,10 @@ class Plan {
     return part.velocity_out < part.velocity_in ? LimitedBy::braking : LimitedBy::axis;
   }
 
-  bool split_at_lowest(Stretch const& stretch) {
-    double lowest = unlimited;
-    for_each_exceeded(stretch,
-                      [&](double limit, std::size_t, std::size_t) { lowest = std::min(lowest, limit); });
-    if (lowest == unlimited) return false;
-    bool splits = false;
-    for_each_exceeded(stretch, [&](double limit, std::size_t from, std::size_t to) {
-      if (limit > lowest * (1 + same_velocity)) return;
-      splits = splits || places_[from] == 0 || places_[to] == 0;
-      places_[from] = places_[to] = 1;
-    });
-    return splits;
-  }
-
-  /// Calls take(limit, first place, second place).
-  template <class Take>
-  void for_each_exceeded(Stretch const& stretch, Take take) const {
-    for (std::size_t i = stretch.first; i < stretch.end; ++i) {
-      auto const& passed = parts_[i].passed;
-      auto const& element = elements_[i];
-      if (passed.velocity_middle > element.velocity * (1 + same_velocity)) take(element.velocity, i, i + 1);
-      if (i > stretch.first && passed.velocity_in > element.entry * (1 + same_velocity))
-        take(element.entry, i, i);
-    }
-  }
+  struct Exceeded {
+    double limit = 0;
+    std::size_t from = 0, to = 0;  ///< places
+  };
 
   std::span<PathElement const> elements_;
   double velocity_;
@@ -199,6 +221,7 @@ class Plan {
   std::vector<Stretch> stretches_;
   VelocityWindow window_;
   std::vector<PassedElement> passed_;
+  std::vector<Exceeded> exceeded_;
   std::vector<Phase> phases_;
   std::vector<StretchPart> parts_;
 };

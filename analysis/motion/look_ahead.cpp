@@ -104,9 +104,9 @@ void LookAhead::pass_block(bool ends) {
   if (constant_velocity_) {
     phases_.push_back(Phase::steady(block.velocity, block.length));
   } else {
-    auto const passed = velocities_.pass(ends);
-    append_profile(task_of(passed.element, passed.velocity_in, passed.velocity_out), passed.velocity_middle,
-                   phases_);
+    auto passed = velocities_.pass(ends);
+    complete(passed);
+    append_profile(task_of(passed), passed.velocity_middle, phases_);
     motion = {passed.velocity_in, std::max(passed.velocity_in, passed.velocity_middle), passed.velocity_out,
               passed.limited_by};
   }
@@ -262,13 +262,13 @@ void LookAhead::choose_velocities(bool ends) {
     std::size_t const known = elements_[i].block + window_;
     while (pushed < elements_.size() && elements_[pushed].block < known)
       velocities_.push(elements_[pushed++]);
-    auto const passed = velocities_.pass(ends);
+    auto passed = velocities_.pass(ends);
+    complete(passed);
     bool const would_change = passed.waits_for_blocks && known > blocks_.size();
     if (would_change || i + 1 >= slowed_for_stop_) touched_ = std::min(touched_, pieces_.size());
     feasible_ = feasible_ && passed.is_possible;
     phases_.clear();
-    append_profile(task_of(passed.element, passed.velocity_in, passed.velocity_out), passed.velocity_middle,
-                   phases_);
+    append_profile(task_of(passed), passed.velocity_middle, phases_);
     take(passed, phases_);
   }
 }

@@ -14,10 +14,12 @@ class PhaseCutter {
   /// The phases must outlive this.
   explicit PhaseCutter(std::span<Phase const> phases) : phases_(phases) {}
 
-  /// Appends the phases along the next `length`, or all that are left.
-  void cut(double length, std::vector<Phase>& parts);
+  /// Goes on by `length`, or to the end. Appends the phases of this part where `parts` is not null.
+  void advance(double length, std::vector<Phase>* parts = nullptr);
   /// Where the last part ends.
   [[nodiscard]] double velocity() const;
+  /// The highest of the last part.
+  [[nodiscard]] double highest() const { return highest_; }
   [[nodiscard]] bool is_steady() const { return at_ < phases_.size() && phases_[at_].is_steady(); }
 
  private:
@@ -25,11 +27,12 @@ class PhaseCutter {
   std::size_t at_ = 0;
   double time_ = 0;  ///< since the beginning of the phase
   double way_ = 0;
+  double highest_ = 0;
 };
 
 /// The part of a phase between two times.
 [[nodiscard]] Phase part_of(Phase const& phase, double from, double to);
-/// When a phase has come so far.
-[[nodiscard]] double time_at(Phase const& phase, double way);
+/// When a phase has come so far, by Newton's method from a time near it.
+[[nodiscard]] double time_at(Phase const& phase, double way, double near);
 
 }  // namespace axisc::motion

@@ -14,11 +14,8 @@ double highest_before(PathElement& element, double next) {
   return element.down->fastest(next, element.length, element.share);
 }
 
-/// Why an element is not passed faster; `next` is what follows it.
+/// Why an element does not end faster; `next` is what follows it.
 LimitedBy cause_of(PassedElement const& passed, PathElement const* next, bool ends) {
-  auto const& element = passed.element;
-  double const peak = std::max(passed.velocity_in, passed.velocity_middle);
-  if (peak >= element.velocity * (1 - same_velocity)) return element.velocity_cause;
   if (next == nullptr) return ends ? LimitedBy::stop : LimitedBy::look_ahead;
   if (passed.velocity_out >= next->entry * (1 - same_velocity)) return next->entry_cause;
   if (passed.velocity_out < next->allowed * (1 - same_velocity)) return LimitedBy::axis;
@@ -27,13 +24,21 @@ LimitedBy cause_of(PassedElement const& passed, PathElement const* next, bool en
 
 }  // namespace
 
-BlockTask task_of(PathElement const& element, double velocity_in, double velocity_out) {
+BlockTask task_of(PassedElement const& passed) {
+  auto const& element = passed.element;
   return {.length = element.length,
-          .velocity_in = velocity_in,
-          .velocity_out = velocity_out,
+          .velocity_in = passed.velocity_in,
+          .velocity_out = passed.velocity_out,
           .limit = element.velocity,
           .up = element.up,
           .down = element.down};
+}
+
+void complete(PassedElement& passed) {
+  passed.velocity_middle = middle_velocity(task_of(passed));
+  double const peak = std::max(passed.velocity_in, passed.velocity_middle);
+  if (peak >= passed.element.velocity * (1 - same_velocity))
+    passed.limited_by = passed.element.velocity_cause;
 }
 
 void VelocityWindow::begin(double velocity, bool moves) {
@@ -118,7 +123,6 @@ PassedElement VelocityWindow::pass(bool ends) {
     passed.is_possible = slower >= 0;
     passed.velocity_out = std::max(0.0, slower);
   }
-  passed.velocity_middle = middle_velocity(task_of(element, velocity_, passed.velocity_out));
   passed.limited_by = cause_of(passed, next, ends);
   velocity_ = passed.velocity_out;
   ++first_;

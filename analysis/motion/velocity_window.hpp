@@ -48,9 +48,9 @@ struct PathElement {
 struct PassedElement {
   PathElement element;
   double velocity_in = 0, velocity_middle = 0, velocity_out = 0;
-  LimitedBy limited_by = LimitedBy::feed;
-  bool waits_for_blocks = false;  ///< the last velocity is that low because the window ends
-  bool is_possible = true;        ///< it can be passed so
+  LimitedBy limited_by = LimitedBy::feed;  ///< before complete(): unless it reaches its own velocity
+  bool waits_for_blocks = false;           ///< the last velocity is that low because the window ends
+  bool is_possible = true;                 ///< it can be passed so
 };
 
 class VelocityWindow {
@@ -75,7 +75,9 @@ class VelocityWindow {
   bool primed_ = false;
 };
 
-/// The task of an element with these velocities.
-[[nodiscard]] BlockTask task_of(PathElement const& element, double velocity_in, double velocity_out);
+/// An element between these velocities.
+[[nodiscard]] BlockTask task_of(PassedElement const& passed);
+/// Finds the velocity along its middle, and the cause of its velocities.
+void complete(PassedElement& passed);
 
 }  // namespace axisc::motion
