@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace axisc::motion {
 namespace {
@@ -23,7 +24,11 @@ struct Stretch {
   std::size_t first = 0, end = 0;
   std::unique_ptr<Weakest> ramps;  ///< none: one element, with its own
   PathElement whole;
-  double velocity_in = -1, velocity_out = -1;  ///< between which nothing exceeds its limit
+  double next_allowed = -1;  ///< with which whole.allowed was found
+  double velocity_in = -1, wanted = -1;
+  Exit exit;  ///< found with these
+  /// Between these velocities nothing exceeds its limit.
+  double kept_in = -1, kept_out = -1;
 
   [[nodiscard]] bool is_single() const { return end - first == 1; }
 };
@@ -84,7 +89,7 @@ class Plan {
       choose();
     } while (split());
     parts_.resize(elements_.size());
-    for (std::size_t i = 0; i < stretches_.size(); ++i) share_out(stretches_[i], passed_[i]);
+    for (std::size_t i = 0; i < stretches_.size(); ++i) share_out(stretches_[i], passed_of(i));
     return std::move(parts_);
   }
 
@@ -106,38 +111,72 @@ class Plan {
     stretches_ = std::move(found);
   }
 
+  /// As velocity_window.hpp says, computed only where something changed.
   void choose() {
-    window_.begin(velocity_, velocity_ > 0);
-    for (auto const& stretch : stretches_) window_.push(stretch.whole);
-    passed_.clear();
-    while (window_.size() > 0) passed_.push_back(window_.pass(ends_));
+    double next = 0;
+    for (std::size_t i = stretches_.size(); i-- > 0;) {
+      auto& stretch = stretches_[i];
+      auto& whole = stretch.whole;
+      if (std::exchange(stretch.next_allowed, next) != next) {
+        double braking = whole.down->fastest(next, whole.length);
+        if (velocity_ > 0) braking = std::max(braking, whole.down->fastest(0, whole.length));
+        whole.allowed = std::min(whole.entry, braking);
+      }
+      next = whole.allowed;
+    }
+    double velocity = velocity_;
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      auto& stretch = stretches_[i];
+      double const wanted = i + 1 < stretches_.size() ? stretches_[i + 1].whole.allowed : 0;
+      if (stretch.velocity_in != velocity || stretch.wanted != wanted) {
+        stretch.velocity_in = velocity;
+        stretch.wanted = wanted;
+        stretch.exit = exit_of(stretch.whole, velocity, wanted);
+      }
+      velocity = stretch.exit.velocity;
+    }
   }
 
   /// False where nothing exceeds its limits.
   bool split() {
     bool splits = false;
-    for (std::size_t i = 0; i < stretches_.size(); ++i) {
-      auto& stretch = stretches_[i];
-      auto& passed = passed_[i];
+    for (auto& stretch : stretches_) {
       bool const is_known =
-          stretch.velocity_in == passed.velocity_in && stretch.velocity_out == passed.velocity_out;
+          stretch.kept_in == stretch.velocity_in && stretch.kept_out == stretch.exit.velocity;
       if (stretch.is_single() || is_known) continue;
-      if (split(stretch, passed)) {
+      if (split(stretch)) {
         splits = true;
       } else {
-        stretch.velocity_in = passed.velocity_in;
-        stretch.velocity_out = passed.velocity_out;
+        stretch.kept_in = stretch.velocity_in;
+        stretch.kept_out = stretch.exit.velocity;
       }
     }
     return splits;
   }
 
-  bool split(Stretch const& stretch, PassedElement& passed) {
-    if (!passed.is_possible) {
+  [[nodiscard]] PassedElement passed_of(std::size_t at) const {
+    auto const& stretch = stretches_[at];
+    auto const* const next = at + 1 < stretches_.size() ? &stretches_[at + 1].whole : nullptr;
+    double const out = stretch.exit.velocity;
+    return {.element = stretch.whole,
+            .velocity_in = stretch.velocity_in,
+            .velocity_middle = 0,
+            .velocity_out = out,
+            .limited_by = cause_of(out, next, false, ends_),
+            .waits_for_blocks = false,
+            .is_possible = stretch.exit.is_possible};
+  }
+
+  bool split(Stretch const& stretch) {
+    if (!stretch.exit.is_possible) {
       std::fill(places_.begin() + static_cast<std::ptrdiff_t>(stretch.first),
                 places_.begin() + static_cast<std::ptrdiff_t>(stretch.end), char{1});
       return true;
     }
+    PassedElement passed;
+    passed.element = stretch.whole;
+    passed.velocity_in = stretch.velocity_in;
+    passed.velocity_out = stretch.exit.velocity;
     find_profile(passed);
     exceeded_.clear();
     PhaseCutter cutter(phases_);
@@ -175,7 +214,7 @@ class Plan {
   }
 
   /// The motion of a stretch to its elements.
-  void share_out(Stretch const& stretch, PassedElement& passed) {
+  void share_out(Stretch const& stretch, PassedElement passed) {
     find_profile(passed);
     if (stretch.is_single()) {
       parts_[stretch.first] = {.passed = passed, .phases = phases_, .is_place = true};
@@ -194,12 +233,12 @@ class Plan {
       velocity = is_last ? passed.velocity_out : cutter.velocity();
       part.passed.velocity_out = velocity;
       part.is_place = is_last || cutter.is_steady();
-      part.passed.limited_by = cause_of(stretch, passed, i);
+      part.passed.limited_by = cause_within(stretch, passed, i);
     }
   }
 
-  [[nodiscard]] LimitedBy cause_of(Stretch const& stretch, PassedElement const& passed,
-                                   std::size_t at) const {
+  [[nodiscard]] LimitedBy cause_within(Stretch const& stretch, PassedElement const& passed,
+                                       std::size_t at) const {
     auto const& part = parts_[at].passed;
     auto const& element = part.element;
     if (part.velocity_middle >= element.velocity * (1 - same_velocity)) return element.velocity_cause;
@@ -219,8 +258,6 @@ class Plan {
   bool ends_;
   std::vector<char> places_;  ///< before each element, and at the end
   std::vector<Stretch> stretches_;
-  VelocityWindow window_;
-  std::vector<PassedElement> passed_;
   std::vector<Exceeded> exceeded_;
   std::vector<Phase> phases_;
   std::vector<StretchPart> parts_;

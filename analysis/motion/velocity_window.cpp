@@ -14,15 +14,22 @@ double highest_before(PathElement& element, double next) {
   return element.down->fastest(next, element.length, element.share);
 }
 
-/// Why an element does not end faster; `next` is what follows it.
-LimitedBy cause_of(PassedElement const& passed, PathElement const* next, bool ends) {
-  if (next == nullptr) return ends ? LimitedBy::stop : LimitedBy::look_ahead;
-  if (passed.velocity_out >= next->entry * (1 - same_velocity)) return next->entry_cause;
-  if (passed.velocity_out < next->allowed * (1 - same_velocity)) return LimitedBy::axis;
-  return passed.waits_for_blocks ? LimitedBy::look_ahead : LimitedBy::braking;
+}  // namespace
+
+Exit exit_of(PathElement const& element, double velocity_in, double wanted) {
+  if (wanted >= velocity_in)
+    return {std::min(wanted, element.up->fastest(velocity_in, element.length)), true};
+  if (element.down->way(wanted, velocity_in) <= element.length * (1 + same_way)) return {wanted, true};
+  double const slower = element.down->slowest(wanted, velocity_in, element.length);
+  return {std::max(0.0, slower), slower >= 0};
 }
 
-}  // namespace
+LimitedBy cause_of(double velocity_out, PathElement const* next, bool waits_for_blocks, bool ends) {
+  if (next == nullptr) return ends ? LimitedBy::stop : LimitedBy::look_ahead;
+  if (velocity_out >= next->entry * (1 - same_velocity)) return next->entry_cause;
+  if (velocity_out < next->allowed * (1 - same_velocity)) return LimitedBy::axis;
+  return waits_for_blocks ? LimitedBy::look_ahead : LimitedBy::braking;
+}
 
 BlockTask task_of(PassedElement const& passed) {
   auto const& element = passed.element;
@@ -110,20 +117,14 @@ PassedElement VelocityWindow::pass(bool ends) {
   auto const& element = passed.element;
   bool const is_last = size() == 1;
   PathElement const* const next = is_last ? nullptr : &elements_[first_ + 1];
-  double const reached = element.up->fastest(velocity_, element.length);
-  if (!is_last && pending_ < elements_.size() && next->allowed < std::min(reached, next->entry)) raise();
-  double const wanted = is_last ? 0 : next->allowed;
+  // An earlier window may allow more than this element reaches.
+  bool const is_pending = !is_last && pending_ < elements_.size() && next->allowed < next->entry;
+  if (is_pending && next->allowed < element.up->fastest(velocity_, element.length)) raise();
+  auto const exit = exit_of(element, velocity_, is_last ? 0 : next->allowed);
+  passed.velocity_out = exit.velocity;
+  passed.is_possible = exit.is_possible;
   passed.waits_for_blocks = !ends && (is_last || next->waits_for_blocks);
-  if (wanted >= velocity_) {
-    passed.velocity_out = std::min(wanted, reached);
-  } else if (element.down->way(wanted, velocity_) <= element.length * (1 + same_way)) {
-    passed.velocity_out = wanted;
-  } else {
-    double const slower = element.down->slowest(wanted, velocity_, element.length);
-    passed.is_possible = slower >= 0;
-    passed.velocity_out = std::max(0.0, slower);
-  }
-  passed.limited_by = cause_of(passed, next, ends);
+  passed.limited_by = cause_of(passed.velocity_out, next, passed.waits_for_blocks, ends);
   velocity_ = passed.velocity_out;
   ++first_;
   forget_passed();

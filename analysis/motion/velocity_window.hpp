@@ -75,6 +75,15 @@ class VelocityWindow {
   bool primed_ = false;
 };
 
+/// How an element ends that begins with a velocity and is to end with another one.
+struct Exit {
+  double velocity = 0;
+  bool is_possible = true;
+};
+[[nodiscard]] Exit exit_of(PathElement const& element, double velocity_in, double wanted);
+/// Why it does not end faster; `next` is what follows it.
+[[nodiscard]] LimitedBy cause_of(double velocity_out, PathElement const* next, bool waits_for_blocks,
+                                 bool ends);
 /// An element between these velocities.
 [[nodiscard]] BlockTask task_of(PassedElement const& passed);
 /// Finds the velocity along its middle, and the cause of its velocities.
