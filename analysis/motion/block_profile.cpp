@@ -8,30 +8,30 @@ namespace {
 
 constexpr int most_steps = 200;
 constexpr double same_velocity = 1e-15;
+constexpr double last_step = 1e-8;
 
 double way_through(BlockTask const& task, double v) {
   double const in = task.velocity_in;
   return (v >= in ? task.up->way(in, v) : task.down->way(v, in)) + task.down->way(task.velocity_out, v);
 }
 
-/// Between a velocity that fits and one that does not. Newton's method, or halving where it leaves them.
+/// Between a velocity that fits and one that does not: Newton's method, or halving where it leaves them. A step that
+/// is this share of the change leaves its square as error.
 double highest_fitting(BlockTask const& task, double low, double high) {
-  double v = high;
-  double over = way_through(task, high) - task.length;
+  double const slowest = low;
   bool const rises = low >= task.velocity_in;
+  double v = high;
   for (int i = 0; i < most_steps && high - low > same_velocity * high; ++i) {
+    double const over = way_through(task, v) - task.length;
+    (over <= 0 ? low : high) = v;
     double next = (low + high) / 2;
     if (rises) {
       double const growth = task.up->growth(task.velocity_in, v) + task.down->growth(task.velocity_out, v);
       double const newton = v - over / growth;
+      if (std::abs(newton - v) <= last_step * (v - slowest)) return std::clamp(newton, low, high);
       if (newton > low && newton < high) next = newton;
-      // From the fast side the last step may stay there for ever.
-      if (std::abs(next - v) <= same_velocity * v) next = v - 2 * same_velocity * v;
-      if (!(next > low)) break;
     }
     v = next;
-    over = way_through(task, v) - task.length;
-    (over <= 0 ? low : high) = v;
   }
   return low;
 }
