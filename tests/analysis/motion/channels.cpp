@@ -109,6 +109,7 @@ machine::AxisDynamics step_axis(double velocity, double acceleration) {
 motion::PathDynamics path_of(machine::Machine const& machine) {
   motion::PathDynamics path;
   path.cycle_time = machine.cycle_time;
+  path.channel = machine.groups.at(0).dynamics;
   for (auto const& axis : machine.axes) {
     path.axes.push_back(step_axis(axis.velocity_limit, axis.acceleration_limit));
     path.axes.back().acceleration_transition_weight = axis.transition_weight;
