@@ -1,6 +1,6 @@
 #include "analysis/motion/look_ahead.hpp"
 
-#include "analysis/motion/junction.hpp"
+#include "analysis/motion/planning/junction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,11 +10,11 @@
 // one that did is driven to its end, where the path stops.
 #pragma once
 
-#include "analysis/motion/hsc_stretches.hpp"
 #include "analysis/motion/path_block.hpp"
-#include "analysis/motion/phase.hpp"
+#include "analysis/motion/planning/hsc_stretches.hpp"
+#include "analysis/motion/planning/phase.hpp"
+#include "analysis/motion/planning/velocity_window.hpp"
 #include "analysis/motion/tolerance.hpp"
-#include "analysis/motion/velocity_window.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,10 +1,10 @@
 // The blocks of a path, as a program asks for them and as the axes allow them.
 #pragma once
 
-#include "analysis/motion/axis_mode.hpp"
 #include "analysis/motion/block_dynamics.hpp"
 #include "analysis/motion/limited_by.hpp"
-#include "analysis/motion/ramp.hpp"
+#include "analysis/motion/planning/axis_mode.hpp"
+#include "analysis/motion/planning/ramp.hpp"
 #include "analysis/motion/segment.hpp"
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 
 #include "analysis/motion/contour/contour_meter.hpp"
 #include "analysis/motion/group_runtime.hpp"
-#include "analysis/motion/phase.hpp"
+#include "analysis/motion/planning/phase.hpp"
 #include "analysis/motion/segment.hpp"
 
 #include <cstdint>

@@ -4,12 +4,12 @@
 // executed. The blocks between two commands are a pass.
 #pragma once
 
-#include "analysis/motion/axis_peaks.hpp"
 #include "analysis/motion/contour/contour_meter.hpp"
 #include "analysis/motion/group_runtime.hpp"
 #include "analysis/motion/interpolator.hpp"
 #include "analysis/motion/look_ahead.hpp"
 #include "analysis/motion/path_listener.hpp"
+#include "analysis/motion/planning/axis_peaks.hpp"
 #include "axisrt.h"
 
 #include <algorithm>

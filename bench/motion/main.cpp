@@ -1,4 +1,5 @@
-// How long the planner takes for a million blocks of each slope, without sampling (processor time): bench_motion [BLOCKS].
+// How long the planner takes for a million blocks of each slope, without sampling (processor time):
+// bench_motion [BLOCKS].
 #include "analysis/motion/look_ahead.hpp"
 
 #include <cmath>

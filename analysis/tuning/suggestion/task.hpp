@@ -1,7 +1,7 @@
 // The task of a filter for an axis: which resonances it must not excite, and how far the contour may deviate.
 #pragma once
 
-#include "analysis/motion/ramp.hpp"
+#include "analysis/motion/planning/ramp.hpp"
 #include "configuration/machine/machine.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"

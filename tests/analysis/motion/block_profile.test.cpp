@@ -1,5 +1,5 @@
 // The profile of one block: durations of an independent time-optimal generator, and figures by hand.
-#include "analysis/motion/block_profile.hpp"
+#include "analysis/motion/planning/block_profile.hpp"
 
 #include "support/catch.hpp"
 

@@ -24,7 +24,8 @@ namespace axisc::test {
 
 /// An axis that moves with STEP, in feed blocks as in G00: µm/s, mm/s².
 [[nodiscard]] machine::AxisDynamics step_axis(double velocity, double acceleration);
-/// Each axis with the same acceleration for all slopes, and its transition weight; the slope is the channel's.
+/// Each axis with the same acceleration for all slopes, and its transition weight; the slope is the
+/// channel's.
 [[nodiscard]] motion::PathDynamics path_of(machine::Machine const& machine);
 
 /// mm/min as units per cycle.

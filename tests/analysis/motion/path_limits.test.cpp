@@ -1,7 +1,7 @@
 // Limits along blocks and at junctions, by hand; 1 ms, position units of 0.1 µm: 1 mm/s is 10 units per
 // cycle, 1000 mm/s² are 10 units per cycle².
-#include "analysis/motion/junction.hpp"
 #include "analysis/motion/path_block.hpp"
+#include "analysis/motion/planning/junction.hpp"
 #include "channels.hpp"
 #include "support/catch.hpp"
 

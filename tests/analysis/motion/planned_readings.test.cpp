@@ -117,7 +117,8 @@ TEST_CASE("ten blocks of 2 mm") {
 }
 
 TEST_CASE("HSC gives a slow block in the middle acceleration 0 at its ends") {
-  // 20 mm at 100 mm/s, 10 mm at 50 mm/s, 20 mm at 100: from rest to 100 in 100 ms, 100 to 50 with q = √½ in 70.7 ms.
+  // 20 mm at 100 mm/s, 10 mm at 50 mm/s, 20 mm at 100: from rest to 100 in 100 ms, 100 to 50 with q = √½ in
+  // 70.7 ms.
   Plan plan(Slope::hsc);
   plan.to(10);
   plan.to(20);
@@ -135,9 +136,10 @@ TEST_CASE("HSC gives a slow block in the middle acceleration 0 at its ends") {
 }
 
 TEST_CASE("a window that moves on leaves a velocity that is too fast for the next block's entry") {
-  // Window of 2, TRAPEZ. Block 2 ends at rest as far as the control knows when block 1 begins: V = g(0) at its
-  // beginning. Then block 3 appears, 0.1 mm: from it V_3 = g(0) of 0.1 mm. Way from the reached velocity to V_3 is more
-  // than block 2 has (the hump): it ends with the highest velocity on the rising branch, which is 0.
+  // Window of 2, TRAPEZ. Block 2 ends at rest as far as the control knows when block 1 begins: V = g(0) at
+  // its beginning. Then block 3 appears, 0.1 mm: from it V_3 = g(0) of 0.1 mm. Way from the reached velocity
+  // to V_3 is more than block 2 has (the hump): it ends with the highest velocity on the rising branch, which
+  // is 0.
   Plan plan(Slope::trapez);
   plan.dynamics.channel.look_ahead_blocks = 2;
   plan.to(2);
@@ -269,10 +271,10 @@ TEST_CASE("a corner by its axes: all, those that speed up, those that slow down"
 }
 
 TEST_CASE("the ramps of a slanted line: the weakest jerk, or the longest time") {
-  // X: 2000 mm/s², 50 ms, 40 m/s³; Y: 4000 mm/s², 80 ms, 50 m/s³. Along 45° a = 2000 √2, jerk 40 √2 m/s³: 50 ms; the
-  // longest time is 80.
+  // X: 2000 mm/s², 50 ms, 40 m/s³; Y: 4000 mm/s², 80 ms, 50 m/s³. Along 45° a = 2000 √2, jerk 40 √2 m/s³: 50
+  // ms; the longest time is 80.
   for (auto const& [reading, ramp] : {std::pair{machine::ProjectionReading::weakest_jerk, 0.05},
-                                     std::pair{machine::ProjectionReading::longest_ramp, 0.08}}) {
+                                      std::pair{machine::ProjectionReading::longest_ramp, 0.08}}) {
     Plan plan(Slope::trapez);
     plan.dynamics.axes[1] = axis_of(4000, 80'000);
     plan.dynamics.readings.projection = reading;

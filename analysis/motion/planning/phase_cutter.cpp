@@ -1,4 +1,4 @@
-#include "analysis/motion/phase_cutter.hpp"
+#include "analysis/motion/planning/phase_cutter.hpp"
 
 #include <algorithm>
 #include <cmath>

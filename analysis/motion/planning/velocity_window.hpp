@@ -17,9 +17,9 @@
 // up to V_{k+1}, it is for V_{k+1} or for 0, with which the block was the last of a window once.
 #pragma once
 
-#include "analysis/motion/block_profile.hpp"
 #include "analysis/motion/limited_by.hpp"
-#include "analysis/motion/ramp.hpp"
+#include "analysis/motion/planning/block_profile.hpp"
+#include "analysis/motion/planning/ramp.hpp"
 
 #include <cstddef>
 #include <vector>

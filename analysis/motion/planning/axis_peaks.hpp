@@ -7,7 +7,7 @@
 #pragma once
 
 #include "analysis/motion/path_block.hpp"
-#include "analysis/motion/phase.hpp"
+#include "analysis/motion/planning/phase.hpp"
 
 namespace axisc::motion {
 

@@ -14,7 +14,7 @@
 // because c1 + c2 = 1/2.
 #pragma once
 
-#include "analysis/motion/phase.hpp"
+#include "analysis/motion/planning/phase.hpp"
 #include "analysis/motion/point.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "analysis/motion/junction.hpp"
+#include "analysis/motion/planning/junction.hpp"
 
 #include <algorithm>
 #include <cmath>

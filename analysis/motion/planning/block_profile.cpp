@@ -1,4 +1,4 @@
-#include "analysis/motion/block_profile.hpp"
+#include "analysis/motion/planning/block_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ double way_through(BlockTask const& task, double v) {
   return (v >= in ? task.up->way(in, v) : task.down->way(v, in)) + task.down->way(task.velocity_out, v);
 }
 
-/// Between a velocity that fits and one that does not: Newton's method, or halving where it leaves them. A step that
-/// is this share of the change leaves its square as error.
+/// Between a velocity that fits and one that does not: Newton's method, or halving where it leaves them. A
+/// step that is this share of the change leaves its square as error.
 double highest_fitting(BlockTask const& task, double low, double high) {
   double const slowest = low;
   bool const rises = low >= task.velocity_in;

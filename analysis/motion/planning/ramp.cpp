@@ -1,4 +1,4 @@
-#include "analysis/motion/ramp.hpp"
+#include "analysis/motion/planning/ramp.hpp"
 
 #include <algorithm>
 #include <cmath>

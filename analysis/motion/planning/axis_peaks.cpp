@@ -1,4 +1,4 @@
-#include "analysis/motion/axis_peaks.hpp"
+#include "analysis/motion/planning/axis_peaks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analysis/motion/axis_mode.hpp"
+#include "analysis/motion/planning/axis_mode.hpp"
 
 #include <algorithm>
 #include <numbers>

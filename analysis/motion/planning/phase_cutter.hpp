@@ -1,7 +1,7 @@
 // Cuts a motion into parts of given lengths.
 #pragma once
 
-#include "analysis/motion/phase.hpp"
+#include "analysis/motion/planning/phase.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
-#include "analysis/motion/hsc_stretches.hpp"
+#include "analysis/motion/planning/hsc_stretches.hpp"
 
-#include "analysis/motion/phase_cutter.hpp"
+#include "analysis/motion/planning/phase_cutter.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "analysis/motion/block_dynamics.hpp"
-#include "analysis/motion/ramp.hpp"
+#include "analysis/motion/planning/ramp.hpp"
 #include "configuration/machine/path_dynamics.hpp"
 #include "design/units.hpp"
 

@@ -7,8 +7,8 @@
 // planned as blocks are (velocity_window.hpp), until no limit is exceeded.
 #pragma once
 
-#include "analysis/motion/phase.hpp"
-#include "analysis/motion/velocity_window.hpp"
+#include "analysis/motion/planning/phase.hpp"
+#include "analysis/motion/planning/velocity_window.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,4 +1,4 @@
-#include "analysis/motion/velocity_window.hpp"
+#include "analysis/motion/planning/velocity_window.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 // A block that begins above its limit, because braking began only with it, is first braked down to the limit.
 #pragma once
 
-#include "analysis/motion/ramp.hpp"
+#include "analysis/motion/planning/ramp.hpp"
 
 #include <vector>
 
