@@ -219,4 +219,81 @@ TEST_CASE("a command without ON keeps the acceleration of corners") {
   CHECK(found.passes[2].cycles > found.passes[0].cycles);
 }
 
+/// 10 mm out along X and 10 along Y, with an exact stop between them.
+test::Recorded with_exact_stop(machine::Machine const& machine, double window) {
+  auto path = test::path_of(machine);
+  for (auto& axis : path.axes) axis.exact_stop_window = window;
+  test::Recorded recorded;
+  Simulation simulation(test::runtime_of(machine), test::runtime_of(machine), PathLimits(path), false,
+                        recorded);
+  for (Point const& end : {Point{1e5}, Point{1e5, 1e5}}) {
+    ProgrammedBlock block;
+    block.end = end;
+    block.feed = per_cycle(6000);
+    block.exact_stop = end[1] == 0;
+    simulation.motion(block);
+  }
+  simulation.end();
+  CHECK_FALSE(simulation.failure().has_value());
+  return recorded;
+}
+
+TEST_CASE("an exact stop waits until the filtered position is within the window of each axis") {
+  // 100 mm/s and 10 m/s²: 110 cycles a block. A moving average of 41 cycles rests 40 cycles after its
+  // setpoint, and the pass ends when it does.
+  auto const machine = channel_of({{.order = 40}, {.order = 40}});
+  CHECK(with_exact_stop(machine, 0.5).passes.at(0).cycles == 110 + 40 + 110 + 40);
+  // The setpoint has the way v²/2a = 5000 units left when it begins to brake, and d cycles before its end 50
+  // d². Of 41 taps those that lie m and fewer cycles back are at the end: what is left is the sum of 50 d²
+  // over the others / 41.
+  double const window = 500;
+  int wait = 0;
+  for (;; ++wait) {
+    double left = 0;
+    for (int age = 0; age <= 40; ++age) {
+      int const d = age - wait;
+      // Before braking, which takes 10 cycles, the setpoint moves by 1000 units a cycle.
+      if (d > 0) left += d <= 10 ? 50.0 * d * d : 5000 + 1000.0 * (d - 10);
+    }
+    if (left / 41 <= window) break;
+  }
+  REQUIRE(wait > 0);
+  REQUIRE(wait < 40);
+  CHECK(with_exact_stop(machine, window).passes.at(0).cycles == 110 + wait + 110 + 40);
+  // Without filters it is there at once; nothing of the corner is left.
+  CHECK(with_exact_stop(channel_of({{.order = 0}, {.order = 0}}), window).passes.at(0).cycles == 220);
+}
+
+TEST_CASE("a pass has the largest accelerations and jerks of its axes") {
+  // 3-4-5 with ramps of 50 ms up to 500 mm/s: a = 10/0.8 m/s² along, jerk a/tr; STEP has no jerk to name.
+  auto machine = channel_of({{.order = 0}, {.order = 0}});
+  std::string const move = "G01 X300 Y400 F30000\n";
+  auto const step = simulated(machine, move).passes.at(0).peaks;
+  CHECK(step.acceleration[0] == Approx(75));
+  CHECK(step.acceleration[1] == Approx(100));
+  CHECK(step.jumps);
+  machine.groups[0].dynamics.slope = machine::Slope::trapez;
+  auto const found = simulated(machine, move);
+  auto const& trapez = found.passes.at(0).peaks;
+  // Δ = 500 is less than a t̄/2 = 625 mm/s: q = √0.8.
+  CHECK(trapez.acceleration[1] == Approx(100 * std::sqrt(0.8)));
+  CHECK(trapez.jerk[1] == Approx(100.0 / 50));
+  CHECK(trapez.jerk[0] == Approx(75.0 / 50));
+  CHECK_FALSE(trapez.jumps);
+  CHECK(found.blocks.at(0).motion.velocity_peak == Approx(5000));
+  CHECK(found.blocks[0].slope == machine::Slope::trapez);
+  // On a circle of 20 mm at 100 mm/s: 500 mm/s² across, and 10 m/s² along, at right angles.
+  machine.groups[0].dynamics.slope = machine::Slope::step;
+  auto const circle = simulated(machine, "G02 I20 F6000\n").passes.at(0).peaks;
+  CHECK(circle.acceleration[0] == Approx(100).epsilon(1e-3));
+  CHECK(circle.acceleration[1] == Approx(circle.acceleration[0]));
+}
+
+TEST_CASE("a block says that AX_DEV limits it") {
+  auto const found = simulated(channel_of({{.order = 40}, {.order = 40}}),
+                               "#FILTER ON [AX_DEV=0.002]\nG01 X10 F6000\nY10\n");
+  CHECK(found.blocks.at(0).motion.limited_by == LimitedBy::tolerance);
+  CHECK(found.blocks[0].motion.velocity_out < per_cycle(6000) / 2);
+}
+
 }  // namespace axisc::motion
