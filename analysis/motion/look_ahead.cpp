@@ -260,8 +260,9 @@ void LookAhead::choose_velocities(bool ends) {
   std::size_t pushed = 0;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     std::size_t const known = elements_[i].block + window_;
-    while (pushed < elements_.size() && elements_[pushed].block < known)
+    while (pushed < elements_.size() && elements_[pushed].block < known) {
       velocities_.push(elements_[pushed++]);
+    }
     auto passed = velocities_.pass(ends);
     complete(passed);
     bool const would_change = passed.waits_for_blocks && known > blocks_.size();

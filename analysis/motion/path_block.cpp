@@ -153,8 +153,8 @@ Ramp arc_ramp(Plane const& plane, Point const& aside, double velocity, Sense sen
   auto const& mode = plane.mode;
   double const share = plane.arc.share;
   double const a = plane.along(velocity);
-  double const limit =
-      mode.limits_circles ? (sense == Sense::up ? mode.vector_up : mode.vector_down) : unlimited;
+  double limit = unlimited;
+  if (mode.limits_circles) limit = sense == Sense::up ? mode.vector_up : mode.vector_down;
   if (mode.slope == machine::Slope::step) return staircase(mode, aside, sense, std::min(limit, a / share));
   Along in_plane;
   in_plane.take(ramp_of(plane.first, sense), 1);

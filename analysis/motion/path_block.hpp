@@ -70,7 +70,7 @@ class PathLimits {
   void set_acceleration_factor(double factor);
   /// The block from `position`, without index. `most` is a velocity that other causes give; `begins_faster`
   /// where the block before brakes late.
-  [[nodiscard]] PathBlock block(ProgrammedBlock const& block, Point const& position, double length,
+  [[nodiscard]] PathBlock block(ProgrammedBlock const& asked, Point const& position, double length,
                                 double most, bool begins_faster);
 
  private:

@@ -27,6 +27,7 @@ Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path
       interpolator_(*this),
       constant_velocity_(constant_velocity),
       exact_stop_windows_(windows_of(path)),
+      trapez_time_(path),
       look_ahead_(std::move(path), constant_velocity, interpolator_),
       limits_(std::move(limits)) {
   learn_answers();
@@ -53,6 +54,7 @@ void Simulation::begin_pass(std::string command, std::uint32_t line) {
 void Simulation::motion(ProgrammedBlock const& block) {
   if (failure_) return;
   open_pass();
+  if (compares_slopes()) trapez_time_.add(block);
   look_ahead_.add(block);
 }
 
@@ -61,6 +63,8 @@ void Simulation::open_pass() {
   pass_open_ = true;
   pass_begin_ = cycles_;
   if (tolerance_ > 0 && !constant_velocity_) pass_.tolerance = tolerance_;
+  path_cycles_ = 0;
+  trapez_time_.begin(last_.nominal, acceleration_factor_);
   meter_.begin(answers_, last_.nominal);
   look_ahead_.begin(last_.nominal, ToleranceMonitor(probe_, answers_, tolerance_, limits_.working),
                     acceleration_factor_);
@@ -104,9 +108,14 @@ void Simulation::stop(double cycles, std::uint32_t line) {
   rest(cycles, line);
 }
 
+bool Simulation::compares_slopes() const {
+  return tolerance_ == 0 && !constant_velocity_;
+}
+
 /// The path stops until the filters have settled, and at least this long.
 void Simulation::rest(double cycles, std::uint32_t line) {
   look_ahead_.stop();
+  trapez_time_.stop();
   if (failure_) return;
   last_.velocity = 0;
   if (!settled_) {
@@ -125,6 +134,7 @@ void Simulation::finish_pass() {
   close_blocks_before(~std::uint64_t{0});
   pass_open_ = false;
   pass_.cycles = static_cast<double>(cycles_ - pass_begin_);
+  if (auto const other = trapez_time_.cycles()) pass_.trapez_cycles = pass_.cycles + *other - path_cycles_;
   if (pass_.blocks > 0 && !failure_) listener_.pass(pass_);
 }
 
@@ -187,6 +197,7 @@ void Simulation::sample(Point const& setpoint, double velocity, PathBlock const&
 }
 
 void Simulation::phase(PathBlock const& block, Phase const& phase) {
+  path_cycles_ += phase.duration;
   if (!constant_velocity_) pass_.peaks.take(block, phase);
 }
 

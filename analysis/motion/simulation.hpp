@@ -10,6 +10,7 @@
 #include "analysis/motion/look_ahead.hpp"
 #include "analysis/motion/path_listener.hpp"
 #include "analysis/motion/planning/axis_peaks.hpp"
+#include "analysis/motion/planning/trapez_time.hpp"
 #include "axisrt.h"
 
 #include <algorithm>
@@ -48,6 +49,8 @@ struct PassSummary : PathSummary {
   std::uint64_t blocks = 0;
   std::optional<double> tolerance;  ///< to be monitored (AX_DEV), position units
   AxisPeaks peaks;                  ///< of the setpoints before the filters, within blocks
+  /// Duration with TRAPEZ in the place of HSC; none without HSC, or with tolerance monitoring.
+  std::optional<double> trapez_cycles;
 
   [[nodiscard]] bool keeps_tolerance() const { return !tolerance || largest_axis_error() <= *tolerance; }
 };
@@ -112,6 +115,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   void finish_pass();
   void rest(double cycles, std::uint32_t line);
   void fail_for_length(std::uint32_t line);
+  [[nodiscard]] bool compares_slopes() const;
   void learn_answers();
   void step(ContourPoint const& point);
   void open_block(PathBlock const& block);
@@ -127,6 +131,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   Interpolator interpolator_;
   bool constant_velocity_;
   Point exact_stop_windows_;  ///< of each axis, position units
+  TrapezTime trapez_time_;
   LookAhead look_ahead_;
   ContourPoint last_{};          ///< the setpoint that was given last
   Point filtered_{};             ///< what the filters made of it
@@ -137,6 +142,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   PassSummary pass_;
   bool pass_open_ = false;
   std::uint64_t pass_begin_ = 0;
+  double path_cycles_ = 0;  ///< of the pass, without rests
   std::deque<BlockSummary> open_blocks_;
   std::uint64_t cycles_ = 0;
   std::uint64_t blocks_ = 0;

@@ -51,21 +51,21 @@ double middle_velocity(BlockTask const& task) {
   return highest_fitting(task, faster, limit);
 }
 
-void append_profile(BlockTask const& task, double v, std::vector<Phase>& phases) {
+void append_profile(BlockTask const& task, double middle, std::vector<Phase>& phases) {
   auto const first = phases.size();
-  if (v >= task.velocity_in) {
-    task.up->append_up(task.velocity_in, v, phases);
+  if (middle >= task.velocity_in) {
+    task.up->append_up(task.velocity_in, middle, phases);
   } else {
-    task.down->append_down(task.velocity_in, v, phases);
+    task.down->append_down(task.velocity_in, middle, phases);
   }
   double rest = task.length;
   for (auto i = first; i < phases.size(); ++i) rest -= phases[i].length;
-  auto const middle = phases.size();
-  task.down->append_down(v, task.velocity_out, phases);
-  for (auto i = middle; i < phases.size(); ++i) rest -= phases[i].length;
+  auto const before_braking = phases.size();
+  task.down->append_down(middle, task.velocity_out, phases);
+  for (auto i = before_braking; i < phases.size(); ++i) rest -= phases[i].length;
   // What rounding leaves over at velocity 0 is no way.
-  if (!(rest > 0) || !(v > 0)) return;
-  phases.insert(phases.begin() + static_cast<std::ptrdiff_t>(middle), Phase::steady(v, rest));
+  if (!(rest > 0) || !(middle > 0)) return;
+  phases.insert(phases.begin() + static_cast<std::ptrdiff_t>(before_braking), Phase::steady(middle, rest));
 }
 
 }  // namespace axisc::motion

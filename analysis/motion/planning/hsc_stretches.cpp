@@ -184,7 +184,7 @@ class Plan {
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       auto const& element = elements_[i];
       if (i > stretch.first) exceed(velocity, element.entry, i, i);
-      cutter.advance(i + 1 == stretch.end ? unlimited : element.length);
+      cutter.advance(length_until_cut(stretch, i));
       exceed(cutter.highest(), element.velocity, i, i + 1);
       velocity = cutter.velocity();
     }
@@ -213,6 +213,12 @@ class Plan {
     return splits;
   }
 
+  /// The last element takes what rounding leaves.
+  [[nodiscard]] double length_until_cut(Stretch const& stretch, std::size_t at) const {
+    if (at + 1 == stretch.end) return unlimited;
+    return elements_[at].length;
+  }
+
   /// The motion of a stretch to its elements.
   void share_out(Stretch const& stretch, PassedElement passed) {
     find_profile(passed);
@@ -225,7 +231,7 @@ class Plan {
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       auto& part = parts_[i];
       bool const is_last = i + 1 == stretch.end;
-      cutter.advance(is_last ? unlimited : elements_[i].length, &part.phases);
+      cutter.advance(length_until_cut(stretch, i), &part.phases);
       part.passed = passed;
       part.passed.element = elements_[i];
       part.passed.velocity_in = velocity;
@@ -243,8 +249,9 @@ class Plan {
     auto const& element = part.element;
     if (part.velocity_middle >= element.velocity * (1 - same_velocity)) return element.velocity_cause;
     if (at + 1 == stretch.end) return passed.limited_by;
-    if (part.velocity_out >= elements_[at + 1].entry * (1 - same_velocity))
+    if (part.velocity_out >= elements_[at + 1].entry * (1 - same_velocity)) {
       return elements_[at + 1].entry_cause;
+    }
     return part.velocity_out < part.velocity_in ? LimitedBy::braking : LimitedBy::axis;
   }
 

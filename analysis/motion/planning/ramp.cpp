@@ -42,8 +42,9 @@ Ramp::Ramp(RampTimes const& times, RampRules const& rules)
       rules_(rules),
       c1_(rules.sine ? 0.25 - 1 / pi_squared : 1.0 / 6),
       c2_(rules.sine ? 0.25 + 1 / pi_squared : 1.0 / 3) {
-  if (rules_.whole_change)
+  if (rules_.whole_change) {
     times_.at_slow_end = times_.at_fast_end = (times.at_slow_end + times.at_fast_end) / 2;
+  }
   double const s = times_.at_slow_end;
   double const f = times_.at_fast_end;
   cubic_ = times_.acceleration * (c1_ * s * s + s * f / 2 + c2_ * f * f);

@@ -17,8 +17,9 @@ double highest_before(PathElement& element, double next) {
 }  // namespace
 
 Exit exit_of(PathElement const& element, double velocity_in, double wanted) {
-  if (wanted >= velocity_in)
+  if (wanted >= velocity_in) {
     return {std::min(wanted, element.up->fastest(velocity_in, element.length)), true};
+  }
   if (element.down->way(wanted, velocity_in) <= element.length * (1 + same_way)) return {wanted, true};
   double const slower = element.down->slowest(wanted, velocity_in, element.length);
   return {std::max(0.0, slower), slower >= 0};
@@ -44,8 +45,9 @@ BlockTask task_of(PassedElement const& passed) {
 void complete(PassedElement& passed) {
   passed.velocity_middle = middle_velocity(task_of(passed));
   double const peak = std::max(passed.velocity_in, passed.velocity_middle);
-  if (peak >= passed.element.velocity * (1 - same_velocity))
+  if (peak >= passed.element.velocity * (1 - same_velocity)) {
     passed.limited_by = passed.element.velocity_cause;
+  }
 }
 
 void VelocityWindow::begin(double velocity, bool moves) {

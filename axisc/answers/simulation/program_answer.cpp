@@ -99,6 +99,7 @@ ProgramSummary::ProgramSummary(SimulatedPath const& path)
     blocks_.columns.push_back(std::move(one));
   }
   passes_.key = "passes";
+  passes_.columns.push_back(data_column("time_with_trapez_instead_of_hsc_s"));
   for (char const* const key : {"max_acceleration_mm_s2", "max_jerk_mm_s3"}) {
     for (auto const& axis : path.axes) passes_.columns.push_back(data_column(key, axis));
   }
@@ -141,7 +142,7 @@ void ProgramSummary::pass(motion::PassSummary const& summary) {
     kept = summary.keeps_tolerance();
   }
   double const T = path_.cycle_time.seconds();
-  Row rest;
+  Row rest{summary.trapez_cycles ? Value(*summary.trapez_cycles * T) : Value()};
   for (std::size_t i = 0; i < path_.axes.size(); ++i) {
     rest.emplace_back(summary.peaks.acceleration[i] / (motion::units_per_mm * T * T));
   }

@@ -125,8 +125,9 @@ Block block_of(motion::ProgrammedBlock const& asked, PlannedBlock const& planned
                                  block.slope, dynamics));
   }
   double squares = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
+  for (std::size_t i = 0; i < from.size(); ++i) {
     squares += (asked.end[i] - from[i]) * (asked.end[i] - from[i]);
+  }
   double const units = asked.arc ? asked.arc->length : std::sqrt(squares);
   block.length = units / 1e4;
   block.feed = asked.feed / 1e4 / dynamics.cycle_time.seconds();

@@ -296,4 +296,19 @@ TEST_CASE("a block says that AX_DEV limits it") {
   CHECK(found.blocks[0].motion.velocity_out < per_cycle(6000) / 2);
 }
 
+TEST_CASE("HSC has the time of TRAPEZ beside it") {
+  // Ten blocks of 2 mm, 2 m/s², 50 ms: 371.564 and 300 cycles; setpoints of the end come with the next cycle.
+  auto machine = channel_of({{.order = 0}, {.order = 0}});
+  for (auto& axis : machine.axes) axis.acceleration_limit = 2000;
+  machine.groups[0].dynamics.slope = machine::Slope::hsc;
+  std::string program = "G01 F6000\n";
+  for (int i = 1; i <= 10; ++i) program += fmt::format("X{}\n", 2 * i);
+  auto const found = simulated(machine, program).passes.at(0);
+  CHECK(found.cycles == Approx(300).margin(1));
+  REQUIRE(found.trapez_cycles.has_value());
+  CHECK(*found.trapez_cycles - found.cycles == Approx(71.564023));
+  machine.groups[0].dynamics.slope = machine::Slope::trapez;
+  CHECK_FALSE(simulated(machine, program).passes.at(0).trapez_cycles.has_value());
+}
+
 }  // namespace axisc::motion
