@@ -343,18 +343,31 @@ std::size_t LookAhead::untouched_blocks() const {
   return std::min(count, blocks_.size() - 1);
 }
 
-/// Across the ends of blocks. What follows the last place in the first half may still change.
+/// Across the ends of blocks. What follows the last place in the first half may still change. Where there is
+/// no place before the end, there is one in the middle.
 void LookAhead::plan_stretches(bool ends) {
-  auto const parts = motion::plan_stretches(elements_, velocity_, ends);
+  auto parts = motion::plan_stretches(elements_, velocity_, ends);
+  auto const is_early = [&](StretchPart const& part) {
+    auto const& element = part.passed.element;
+    return part.is_place && element.ends_block && element.block + 1 < blocks_.size();
+  };
+  if (!ends && blocks_.size() > 1 && std::none_of(parts.begin(), parts.end(), is_early)) {
+    auto const middle = std::find_if(elements_.begin(), elements_.end(), [&](PathElement const& element) {
+      return element.block == blocks_.size() / 2;
+    });
+    parts = motion::plan_stretches(elements_, velocity_, ends,
+                                   static_cast<std::size_t>(middle - elements_.begin()));
+  }
   std::size_t place = 0;
   std::size_t pieces = 0;
   for (auto const& part : parts) {
     feasible_ = feasible_ && part.passed.is_possible;
     take(part.passed, part.phases);
-    if (!part.is_place || !part.passed.element.ends_block) continue;
+    auto const& element = part.passed.element;
+    if (!part.is_place || !element.ends_block) continue;
     pieces_.back().is_place = true;
-    if (place > 0 && part.passed.element.block >= blocks_.size() / 2) continue;
-    place = part.passed.element.block + 1;
+    if (!is_early(part) || (place > 0 && element.block >= blocks_.size() / 2)) continue;
+    place = element.block + 1;
     pieces = pieces_.size();
   }
   touched_ = pieces;
@@ -396,7 +409,7 @@ void LookAhead::plan_across(bool stops) {
         std::find_if(pieces_.begin(), pieces_.end(), [](auto const& each) { return each.is_place; });
     count = place->block + 1;
   }
-  hand_on(count, stops && !is_lost);
+  hand_on(count, count == blocks_.size());
   full_ = blocks_.size() + hsc_window / 2;
 }
 

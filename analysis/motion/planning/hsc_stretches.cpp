@@ -75,9 +75,9 @@ bool is_alike(PathElement const& before, PathElement const& after) {
 
 class Plan {
  public:
-  Plan(std::span<PathElement const> elements, double velocity, bool ends)
+  Plan(std::span<PathElement const> elements, double velocity, bool ends, std::size_t place)
       : elements_(elements), velocity_(velocity), ends_(ends), places_(elements.size() + 1, 0) {
-    places_.front() = places_.back() = 1;
+    places_.front() = places_.back() = places_[place] = 1;
     for (std::size_t i = 1; i < elements.size(); ++i) {
       if (!is_alike(elements[i - 1], elements[i]) || !(elements[i].entry > 0)) places_[i] = 1;
     }
@@ -272,8 +272,9 @@ class Plan {
 
 }  // namespace
 
-std::vector<StretchPart> plan_stretches(std::span<PathElement const> elements, double velocity, bool ends) {
-  return Plan(elements, velocity, ends).run();
+std::vector<StretchPart> plan_stretches(std::span<PathElement const> elements, double velocity, bool ends,
+                                        std::size_t place) {
+  return Plan(elements, velocity, ends, place).run();
 }
 
 }  // namespace axisc::motion

@@ -29,7 +29,8 @@ struct StretchPart {
 /// `velocity` is that of the path before the first element, where its acceleration is 0. The path stops at
 /// the end; `ends`: the program has nothing more. Cost: a few passes over the elements, at worst one for each
 /// place.
+/// An element whose number is given, and not 0, begins with acceleration 0 in any case.
 [[nodiscard]] std::vector<StretchPart> plan_stretches(std::span<PathElement const> elements, double velocity,
-                                                      bool ends);
+                                                      bool ends, std::size_t place = 0);
 
 }  // namespace axisc::motion

@@ -116,6 +116,21 @@ TEST_CASE("ten blocks of 2 mm") {
   CHECK(plan.seconds() == Approx(0.3));
 }
 
+TEST_CASE("HSC goes on where its blocks are so short that it never comes to an end of acceleration") {
+  // 1 mm in 5000 blocks at up to 500 mm/s: a window of 2048 of them is all ramps.
+  Plan plan(Slope::hsc);
+  plan.feed_mm_min = 30'000;
+  for (int i = 1; i <= 5000; ++i) plan.to(0.0002 * i);
+  plan.run();
+  REQUIRE(plan.path.blocks.size() == 5000);
+  for (std::size_t i = 0; i + 1 < 5000; ++i) CHECK(plan.out(i) > 0);
+  CHECK(plan.out(4999) == Approx(0).margin(1e-6));
+  // In one block 1 mm takes 4 q 50 ms with 100 q³ 0.1 = 1.
+  double const whole = 0.2 * std::cbrt(0.1);
+  CHECK(plan.seconds() > whole);
+  CHECK(plan.seconds() < 2 * whole);
+}
+
 TEST_CASE("HSC gives a slow block in the middle acceleration 0 at its ends") {
   // 20 mm at 100 mm/s, 10 mm at 50 mm/s, 20 mm at 100: from rest to 100 in 100 ms, 100 to 50 with q = √½ in
   // 70.7 ms.
