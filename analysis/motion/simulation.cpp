@@ -1,5 +1,7 @@
 #include "analysis/motion/simulation.hpp"
 
+#include "analysis/motion/planning/junction.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +10,7 @@ namespace axisc::motion {
 namespace {
 
 constexpr std::uint64_t cycles_per_call = 1024;
+constexpr double rounding = 1e-9;
 
 Point windows_of(PathLimits const& path) {
   Point windows{};
@@ -226,6 +229,9 @@ void Simulation::corner(PathBlock const& block, PathBlock const* next, double bl
     summary->cycles = block_cycles;
     summary->motion = motion;
     summary->slope = block.mode->slope;
+    bool const is_forced = next != nullptr && block.mode->least_corner_velocity > 0;
+    double const share = is_forced ? motion.velocity_out / step_velocity(block, *next) : 0;
+    if (share > 1 + rounding) summary->corner_step_share = share;
   }
   ContourPoint point;
   point.nominal = block.end;

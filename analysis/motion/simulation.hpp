@@ -38,6 +38,9 @@ struct PathSummary {
 struct BlockSummary : PathSummary {
   BlockMotion motion;
   machine::Slope slope = machine::Slope::step;
+  /// #TRANSVELMIN: how much larger the step of an axis' velocity is at its end than the axis should make;
+  /// none where it is not.
+  std::optional<double> corner_step_share;
   std::uint64_t index = 0;
   std::uint32_t line = 0;
   std::string label;

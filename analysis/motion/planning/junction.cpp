@@ -12,7 +12,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double no_turn = 1e-12;
 
 /// STEP: v |Δu| ≤ a(v u) T. Up to the changeover the first stage counts.
-double step_velocity(AxisRamp const& ramp, double turn, double share) {
+double stage_velocity(AxisRamp const& ramp, double turn, double share) {
   double const low = ramp.first / turn;
   if (low * share <= ramp.changeover) return low;
   return std::max(ramp.changeover / share, ramp.second / turn);
@@ -36,9 +36,9 @@ double corner_in_mode(BlockMode const& mode, Point const& before, Point const& a
       continue;
     }
     double const share = std::max(std::abs(before[i]), std::abs(after[i]));
-    lowest = std::min({lowest, step_velocity(axis.up, turn, share), step_velocity(axis.down, turn, share)});
+    lowest = std::min({lowest, stage_velocity(axis.up, turn, share), stage_velocity(axis.down, turn, share)});
   }
-  return std::max(lowest, mode.least_corner_velocity);
+  return lowest;
 }
 
 /// Acceleration per v² where a block begins or ends.
@@ -64,12 +64,17 @@ double curvature_in_mode(BlockMode const& mode, Point const& step) {
 
 }  // namespace
 
-double corner_velocity(PathBlock const& before, PathBlock const& after) {
+double step_velocity(PathBlock const& before, PathBlock const& after) {
   auto const u0 = before.direction_out();
   auto const u1 = after.direction_in();
   if (u0 == u1) return unlimited;
   double const lowest = corner_in_mode(*before.mode, u0, u1);
   return before.mode == after.mode ? lowest : std::min(lowest, corner_in_mode(*after.mode, u0, u1));
+}
+
+double corner_velocity(PathBlock const& before, PathBlock const& after) {
+  double const least = std::min(before.mode->least_corner_velocity, after.mode->least_corner_velocity);
+  return std::max(step_velocity(before, after), least);
 }
 
 double curvature_velocity(PathBlock const& before, PathBlock const& after) {

@@ -19,7 +19,9 @@ struct JunctionLimit {
 /// the feed of the next one.
 [[nodiscard]] JunctionLimit junction_limit(PathBlock const& before, PathBlock const& after);
 
-/// Only the steps: infinite where none is limited.
+/// What the steps of the axes' velocities allow: infinite where none is limited.
+[[nodiscard]] double step_velocity(PathBlock const& before, PathBlock const& after);
+/// The same, but no less than #TRANSVELMIN.
 [[nodiscard]] double corner_velocity(PathBlock const& before, PathBlock const& after);
 [[nodiscard]] double curvature_velocity(PathBlock const& before, PathBlock const& after);
 

@@ -94,8 +94,8 @@ ProgramSummary::ProgramSummary(SimulatedPath const& path)
     : path_(path),
       blocks_(table_with("block", says::block, path)),
       passes_(table_with("pass", says::pass, path)) {
-  for (auto& one :
-       data_columns({"velocity_in_mm_s", "velocity_peak_mm_s", "velocity_out_mm_s", "slope", "limited_by"})) {
+  for (auto& one : data_columns({"velocity_in_mm_s", "velocity_peak_mm_s", "velocity_out_mm_s", "slope",
+                                 "limited_by", "corner_step_share"})) {
     blocks_.columns.push_back(std::move(one));
   }
   passes_.key = "passes";
@@ -131,7 +131,7 @@ void ProgramSummary::block(motion::BlockSummary const& summary) {
   auto const& motion = summary.motion;
   add(blocks_, {summary.label, summary.line}, summary,
       {motion.velocity_in * per_second, motion.velocity_peak * per_second, motion.velocity_out * per_second,
-       symbol_of(summary.slope), symbol_of(motion.limited_by)});
+       symbol_of(summary.slope), symbol_of(motion.limited_by), summary.corner_step_share});
 }
 
 void ProgramSummary::pass(motion::PassSummary const& summary) {

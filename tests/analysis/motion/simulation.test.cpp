@@ -311,4 +311,28 @@ TEST_CASE("HSC has the time of TRAPEZ beside it") {
   CHECK_FALSE(simulated(machine, program).passes.at(0).trapez_cycles.has_value());
 }
 
+TEST_CASE("a least velocity through corners says how far it exceeds the axes' steps") {
+  // STEP: 10 m/s² are 10 mm/s in a cycle; 15 mm/s at 90° are 1.5 times as much.
+  auto const machine = channel_of({{.order = 0}, {.order = 0}});
+  for (auto const& [least, share] : {std::pair{15.0, 1.5}, std::pair{5.0, 0.0}}) {
+    test::Recorded recorded;
+    Simulation simulation(test::runtime_of(machine), test::runtime_of(machine),
+                          PathLimits(test::path_of(machine)), false, recorded);
+    BlockDynamics words;
+    words.least_corner_velocity = least;
+    auto const said = std::make_shared<BlockDynamics const>(words);
+    for (Point const& end : {Point{1e5}, Point{1e5, 1e5}}) {
+      ProgrammedBlock block;
+      block.end = end;
+      block.feed = per_cycle(6000);
+      block.dynamics = said;
+      simulation.motion(block);
+    }
+    simulation.end();
+    REQUIRE(recorded.blocks.size() == 2);
+    CHECK(recorded.blocks[0].corner_step_share.value_or(0) == Approx(share));
+    CHECK_FALSE(recorded.blocks[1].corner_step_share.has_value());
+  }
+}
+
 }  // namespace axisc::motion
