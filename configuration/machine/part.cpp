@@ -32,7 +32,8 @@ MachinePart part_of(Machine const& whole, std::span<std::size_t const> axes) {
                                .axes = {},
                                .groups = {},
                                .lists = {},
-                               .inch = whole.inch},
+                               .inch = whole.inch,
+                               .motion = whole.motion},
                    .groups = {}};
   std::vector<std::size_t> kept(axes.begin(), axes.end());
   std::map<std::size_t, std::size_t> places;
