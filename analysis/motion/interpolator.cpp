@@ -6,7 +6,8 @@ namespace axisc::motion {
 
 void Interpolator::piece(PathBlock const& block, Phase const& phase) {
   double const duration = phase.duration;
-  if (!(duration <= sink_.room())) return sink_.no_room(block);
+  // A sample at the beginning may be due still.
+  if (!(duration + 1 - to_sample_ <= sink_.room())) return sink_.no_room(block);
   sink_.phase(block, phase);
   for (; to_sample_ <= duration - same_time; to_sample_ += 1) {
     double const way = std::min(passed_ + phase.way_at(to_sample_), block.length);

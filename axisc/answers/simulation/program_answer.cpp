@@ -21,6 +21,18 @@ constexpr Sentence deviation{"deviation", "Abweichung"};
 constexpr Sentence lag{"lag", "Nachlauf"};
 constexpr Sentence filters{"filters", "Filter"};
 constexpr Sentence start{"as at start-up", "wie beim Hochlauf"};
+constexpr Sentence from_channel_list{
+    "slope at the beginning: {slope}, by the channel list; look-ahead: {blocks} blocks",
+    "Slope am Anfang: {slope}, nach der Kanalliste; Vorausschau: {blocks} Sätze"};
+constexpr Sentence from_defaults{
+    "slope at the beginning: {slope}, look-ahead: {blocks} blocks: the defaults of the control, because no "
+    "channel "
+    "list is named",
+    "Slope am Anfang: {slope}, Vorausschau: {blocks} Sätze: die Standardwerte der Steuerung, weil keine "
+    "Kanalliste genannt ist"};
+constexpr Sentence rounded{
+    "corners are followed as they are; the control rounds them, by {bound} at most",
+    "Ecken werden verfolgt, wie sie sind; die Steuerung verschleift sie, um höchstens {bound}"};
 constexpr Sentence exceeds{"{command}: AX_DEV is not kept", "{command}: AX_DEV wird nicht eingehalten"};
 
 }  // namespace axisc::says
@@ -31,6 +43,11 @@ namespace {
 
 using motion::units_per_um;
 using namespace presentation;
+
+std::string_view name_of(machine::Slope slope) {
+  constexpr std::array<std::string_view, 4> names = {"STEP", "TRAPEZ", "SIN2", "HSC"};
+  return names.at(static_cast<std::size_t>(slope));
+}
 
 Quantity micrometres(double units, int decimals) {
   return fixed(units / units_per_um, Unit::micrometre, decimals);
@@ -160,16 +177,29 @@ void ProgramSummary::pass(motion::PassSummary const& summary) {
 Document ProgramSummary::answer(FollowedProgram const& followed) && {
   auto const cycle_time = exact(path_.cycle_time.microseconds(), Unit::microsecond);
   auto const time = fixed(static_cast<double>(followed.cycles) * path_.cycle_time.seconds(), Unit::second, 3);
-  return {.title = Words(says::title, {{"blocks", followed.blocks},
-                                       {"cycles", followed.cycles},
-                                       {"cycle_time", cycle_time},
-                                       {"time", time}}),
-          .blocks = {Facts{{data("cycle_time_us", cycle_time), data("group", path_.group),
-                            data("axes", Names(path_.axes)), data("block_count", followed.blocks),
-                            data("pass_count", passes_.rows.size() + passes_.left_out),
-                            data("cycles", followed.cycles), data("time_s", time)}},
-                     std::move(blocks_),
-                     Section{.key = {}, .title = says::passes, .blocks = {std::move(passes_)}}}};
+  auto const& dynamics = path_.dynamics;
+  auto const slope = name_of(dynamics.slope);
+  Document answer{
+      .title = Words(says::title, {{"blocks", followed.blocks},
+                                   {"cycles", followed.cycles},
+                                   {"cycle_time", cycle_time},
+                                   {"time", time}}),
+      .blocks = {Facts{{data("cycle_time_us", cycle_time), data("group", path_.group),
+                        data("axes", Names(path_.axes)), data("block_count", followed.blocks),
+                        data("pass_count", passes_.rows.size() + passes_.left_out),
+                        data("cycles", followed.cycles), data("time_s", time), data("slope_at_start", slope),
+                        data("look_ahead_blocks", dynamics.look_ahead_blocks),
+                        data("channel_list", dynamics.is_from_list)}},
+                 Paragraph{Words(dynamics.is_from_list ? says::from_channel_list : says::from_defaults,
+                                 {{"slope", slope}, {"blocks", dynamics.look_ahead_blocks}})}}};
+  if (followed.rounding) {
+    auto const bound = exact(*followed.rounding, Unit::millimetre);
+    answer.blocks.emplace_back(Facts{{data("corners_rounded_by_up_to_mm", bound)}});
+    answer.blocks.emplace_back(Paragraph{Words(says::rounded, {{"bound", bound}})});
+  }
+  answer.blocks.emplace_back(std::move(blocks_));
+  answer.blocks.emplace_back(Section{.key = {}, .title = says::passes, .blocks = {std::move(passes_)}});
+  return answer;
 }
 
 SimulatedProgram simulate_answer(ProgramLines& program, ProgramRequest const& request,
