@@ -98,7 +98,10 @@ constexpr std::array group_keys = {
     JsonKey{"axes", &json_texts, required, "Names of the axes that move together.",
             into<&MachineFileGroup::axes>},
     JsonKey{"programs", &json_texts, optional, "Programs that are checked against this group alone.",
-            into<&MachineFileGroup::programs>}};
+            into<&MachineFileGroup::programs>},
+    JsonKey{"channel_list", &json_text, optional,
+            "The channel's parameter list: how the control plans the path of the group.",
+            into<&MachineFileGroup::channel_list>}};
 constexpr JsonShape group_shape{.kind = Kind::object, .title = "Group of axes", .keys = group_keys};
 constexpr JsonShape groups_shape{.kind = Kind::list, .items = &group_shape};
 
@@ -148,6 +151,7 @@ void use_slashes(MachineFile& machine) {
   for (LocatedText& program : machine.programs) use(program);
   for (MachineFileGroup& group : machine.groups) {
     for (LocatedText& program : group.programs) use(program);
+    if (group.channel_list) use(*group.channel_list);
   }
 }
 

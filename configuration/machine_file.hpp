@@ -25,6 +25,7 @@ struct MachineFileGroup {
   std::optional<LocatedText> name;
   std::vector<LocatedText> axes;
   std::vector<LocatedText> programs;  ///< checked against this group alone
+  std::optional<LocatedText> channel_list;
 };
 
 struct MachineFileGantry {

@@ -2,7 +2,7 @@
 
 #include "configuration/machine_file.hpp"
 #include "configuration/sentences.hpp"
-#include "configuration/xml_document.hpp"
+#include "configuration/xml/xml_document.hpp"
 #include "diagnostics/ascii.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "grammar/nc_program.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/nc_program_def.hpp"
 
@@ -86,7 +87,7 @@ void ProgramReader::line(std::string_view text, std::uint32_t offset) {
   bool const goes_on = kept.size() != text.size();
   if (goes_on || !open_block_.empty()) {
     continue_block(kept, offset, goes_on || says_nothing(text));
-  } else if (has_command || detail_ == ProgramDetail::words) {
+  } else if (has_command || detail_ == ProgramDetail::words || names_wanted(text)) {
     block(text, offset, number_);
   }
 }
@@ -111,14 +112,31 @@ void ProgramReader::continue_block(std::string_view text, std::uint32_t offset, 
   if (!goes_on || open_block_.size() > longest_block) finish();
 }
 
+/// A comment may name one as well, which costs time and nothing else.
+bool ProgramReader::names_wanted(std::string_view text) const {
+  if (wants_ == nullptr) return false;
+  if (text.find("SLOPE") != std::string_view::npos) return true;
+  for (std::size_t at = text.find('G'); at != std::string_view::npos; at = text.find('G', at + 1)) {
+    constexpr int most = 1000;
+    int number = 0;
+    std::size_t digit = at + 1;
+    for (; digit < text.size() && ascii::is_digit(text[digit]) && number < most; ++digit) {
+      number = number * 10 + (text[digit] - '0');
+    }
+    if (digit > at + 1 && wants_(number)) return true;
+  }
+  return false;
+}
+
 void ProgramReader::block(std::string_view text, std::uint32_t offset, std::uint32_t line) {
+  bool const passes_words = detail_ == ProgramDetail::words || names_wanted(text);
   char const* position = text.data();
   char const* const end = text.data() + text.size();
   char const* counted = position;
   bool at_start = true;
   while (true) {
     parse(block_syntax::gap, position, end, x3::unused);
-    if (position == end) return;
+    if (position == end) return listener_.end_of_block();
     line += static_cast<std::uint32_t>(std::count(counted, position, '\n'));
     counted = position;
     if (*position == '#') {
@@ -135,7 +153,7 @@ void ProgramReader::block(std::string_view text, std::uint32_t offset, std::uint
       parse(block_syntax::word, position, end, token);
     }
     at_start = token.kind == WordKind::skip;
-    if (detail_ != ProgramDetail::words) continue;
+    if (!passes_words) continue;
     std::uint32_t const begin = offset + static_cast<std::uint32_t>(token.text.begin() - text.data());
     listener_.word({.kind = token.kind,
                     .span = {.begin = begin, .end = begin + static_cast<std::uint32_t>(token.text.size())},
@@ -157,12 +175,23 @@ void ProgramReader::find_directives(std::string_view text, std::uint32_t offset)
 }
 
 void ProgramCollector::command(NcCommand command) {
+  if (!block_.empty() || command.kind == CommandKind::other) {
+    block_.push_back({.kind = WordKind::other, .span = command.name, .line = command.line});
+  }
   if (is_of_interest(command)) program.commands.push_back(std::move(command));
 }
 
-NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin) {
+void ProgramCollector::end_of_block() {
+  // A command alone came without words: its block is not wanted.
+  if (block_.size() > 1 && program.blocks.size() < most_wanted_blocks) {
+    program.blocks.push_back({.words = std::move(block_)});
+  }
+  block_.clear();
+}
+
+NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin, WantsFunction wants) {
   ProgramCollector collector;
-  ProgramReader reader(collector, ProgramDetail::commands);
+  ProgramReader reader(collector, ProgramDetail::commands, wants);
   LineSplitter splitter(bytes.substr(text_begin));
   for (std::string_view line; splitter.next(line);) {
     reader.line(line, static_cast<std::uint32_t>(line.data() - bytes.data()));

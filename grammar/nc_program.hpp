@@ -42,6 +42,8 @@ class ProgramListener {
   virtual void word(Word const& word) = 0;
   virtual void command(NcCommand command) = 0;
   virtual void directive(Directive const& directive) = 0;
+  /// After the last part of a block.
+  virtual void end_of_block() {}
 
  protected:
   ProgramListener() = default;
@@ -50,14 +52,18 @@ class ProgramListener {
 };
 
 enum class ProgramDetail : std::uint8_t {
-  commands,  ///< no words; lines without a command cost a search for `#`
+  commands,  ///< no words, except those of blocks with a function that is wanted
   words,
 };
+
+/// Whether the checks look at a G word, by its number.
+using WantsFunction = bool (*)(int number);
 
 /// Reads a program line by line in constant memory: the state is the comment or the block that is open.
 class ProgramReader {
  public:
-  ProgramReader(ProgramListener& listener, ProgramDetail detail) : listener_(listener), detail_(detail) {}
+  ProgramReader(ProgramListener& listener, ProgramDetail detail, WantsFunction wants = nullptr)
+      : listener_(listener), detail_(detail), wants_(wants) {}
 
   /// The next line without its line end; `offset` is its place in the program, from which all spans count.
   /// `text` may change afterwards.
@@ -70,10 +76,12 @@ class ProgramReader {
  private:
   void continue_block(std::string_view text, std::uint32_t offset, bool goes_on);
   void block(std::string_view text, std::uint32_t offset, std::uint32_t line);
+  [[nodiscard]] bool names_wanted(std::string_view text) const;
   void find_directives(std::string_view text, std::uint32_t offset);
 
   ProgramListener& listener_;
   ProgramDetail detail_;
+  WantsFunction wants_;
   std::uint32_t number_ = 0;  ///< of the line read last
   bool in_comment_ = false;   ///< after #COMMENT BEGIN
   std::string open_block_;    ///< the lines of a block that continues, with blanks for other text
@@ -81,24 +89,38 @@ class ProgramReader {
   std::uint32_t open_line_ = 0;
 };
 
+/// A block with a G word that the checks look at, or with #SLOPE: its words, and its commands by their first
+/// word.
+struct WantedBlock {
+  std::vector<Word> words;
+};
+
 /// The parts of a program that the checks look at: only these are kept, however long it is.
 struct NcProgram {
   std::vector<NcCommand> commands;  ///< of kind `other` only those that resemble a filter command
+  std::vector<WantedBlock> blocks;  ///< the first most_wanted_blocks of them
   std::vector<Directive> directives;
   std::uint32_t lines = 0;
 };
 
+inline constexpr std::size_t most_wanted_blocks = 1000;
+
 /// Receives the parts that an NcProgram keeps.
 class ProgramCollector final : public ProgramListener {
  public:
-  void word(Word const& /*word*/) override {}
+  void word(Word const& word) override { block_.push_back(word); }
   void command(NcCommand command) override;
   void directive(Directive const& directive) override { program.directives.push_back(directive); }
+  void end_of_block() override;
 
   NcProgram program;
+
+ private:
+  std::vector<Word> block_;  ///< of a block that is wanted
 };
 
 /// `bytes` without byte order mark begins at `text_begin`. Cost: one pass.
-[[nodiscard]] NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin);
+[[nodiscard]] NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin,
+                                         WantsFunction wants = nullptr);
 
 }  // namespace axisc::grammar

@@ -3,7 +3,8 @@
 namespace axisc::grammar {
 
 std::size_t ProgramExcerptReader::collected() const {
-  return collector_.program.commands.size() + collector_.program.directives.size();
+  NcProgram const& program = collector_.program;
+  return program.commands.size() + program.blocks.size() + program.directives.size();
 }
 
 void ProgramExcerptReader::line(std::string_view text) {

@@ -12,10 +12,12 @@
 
 namespace axisc::grammar {
 
-/// Memory: the lines with a command or a comment that speaks to this program, and the block that is open.
+/// Memory: the lines with a command, a function that is wanted or a comment that speaks to this program, and
+/// the block that is open.
 class ProgramExcerptReader {
  public:
-  ProgramExcerptReader() : reader_(collector_, ProgramDetail::commands) {}
+  explicit ProgramExcerptReader(WantsFunction wants = nullptr)
+      : reader_(collector_, ProgramDetail::commands, wants) {}
   ProgramExcerptReader(ProgramExcerptReader const&) = delete;
   ProgramExcerptReader& operator=(ProgramExcerptReader const&) = delete;
 

@@ -27,6 +27,7 @@ struct CheckOptions {
   std::optional<design::CycleTime> cycle_time_otherwise = {};  ///< where the input says none
   std::optional<machine::AxisType> axis_type;                  ///< overrides kenngr.achs_typ of a list
   design::Readings readings;                                   ///< how the control computes its filters
+  machine::MotionReadings motion;                              ///< how the control plans a path
   std::optional<BuildVersion> build;                           ///< of the control: newer features are AX2016
   bool pedantic = false;                                       ///< notes as well
   std::vector<Code> disabled;

@@ -4,23 +4,24 @@
 
 namespace axisc::motion {
 
-void Interpolator::piece(PathBlock const& block, PathPiece const& piece) {
-  VelocityProfile const profile(piece);
-  double const duration = profile.duration();
-  if (!(duration <= sink_.room())) return sink_.no_room(block);
+void Interpolator::piece(PathBlock const& block, Phase const& phase) {
+  double const duration = phase.duration;
+  // A sample at the beginning may be due still.
+  if (!(duration + 1 - to_sample_ <= sink_.room())) return sink_.no_room(block);
+  sink_.phase(block, phase);
   for (; to_sample_ <= duration - same_time; to_sample_ += 1) {
-    double const way = std::min(passed_ + profile.way_at(to_sample_), block.length);
-    sink_.sample(block.path.at(way), profile.velocity_at(to_sample_), block);
+    double const way = std::min(passed_ + phase.way_at(to_sample_), block.length);
+    sink_.sample(block.path.at(way), phase.velocity_at(to_sample_), block);
   }
   to_sample_ = std::max(0.0, to_sample_ - duration);
-  passed_ += piece.length;
-  velocity_ = piece.velocity_out;
+  passed_ += phase.length;
+  velocity_ = phase.velocity_out();
   block_cycles_ += duration;
 }
 
-void Interpolator::block_end(PathBlock const& block, PathBlock const* next) {
+void Interpolator::block_end(PathBlock const& block, PathBlock const* next, BlockMotion const& motion) {
   bool const on_cycle = to_sample_ <= 2 * same_time;
-  sink_.corner(block, next, block_cycles_);
+  sink_.corner(block, next, block_cycles_, motion);
   passed_ = 0;
   block_cycles_ = 0;
   if (next != nullptr) {

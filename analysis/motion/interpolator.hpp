@@ -18,9 +18,14 @@ class SampleSink {
   virtual void no_room(PathBlock const& /*block*/) {}
   /// A setpoint; `velocity` is the path's, in units per cycle.
   virtual void sample(Point const& setpoint, double velocity, PathBlock const& block) = 0;
+  /// A phase of a block, before its setpoints.
+  virtual void phase(PathBlock const& /*block*/, Phase const& /*phase*/) {}
   /// The end of a block, which need not be on a cycle, and its duration in cycles. `next` is null where the
   /// path stops.
-  virtual void corner(PathBlock const& block, PathBlock const* next, double block_cycles) = 0;
+  virtual void corner(PathBlock const& block, PathBlock const* next, double block_cycles,
+                      BlockMotion const& motion) = 0;
+  /// The path stopped at the end of a block, and waits until the axes are there.
+  virtual void exact_stop(PathBlock const& /*block*/) {}
 
  protected:
   SampleSink() = default;
@@ -34,9 +39,10 @@ class Interpolator final : public PathSink {
  public:
   explicit Interpolator(SampleSink& sink) : sink_(sink) {}
 
-  void piece(PathBlock const& block, PathPiece const& piece) override;
-  void block_end(PathBlock const& block, PathBlock const* next) override;
+  void piece(PathBlock const& block, Phase const& phase) override;
+  void block_end(PathBlock const& block, PathBlock const* next, BlockMotion const& motion) override;
   void rest(PathBlock const& block, std::uint64_t cycles) override;
+  void exact_stop(PathBlock const& block) override { sink_.exact_stop(block); }
   [[nodiscard]] double room() const override { return sink_.room(); }
 
  private:

@@ -1,8 +1,11 @@
 #include "analysis/motion/look_ahead.hpp"
 
+#include "analysis/motion/planning/junction.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace axisc::motion {
 namespace {
@@ -10,50 +13,55 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Position units: shorter stretches are nothing but rounding.
 constexpr double no_length = 1e-9;
-/// Acceleration that reaches any velocity at once.
-constexpr double at_once = 1e200;
 /// A smaller change of direction comes from rounded end points.
 constexpr double no_turn = 1e-12;
+constexpr std::size_t shortest_window = 2;
 
 }  // namespace
+
+LookAhead::LookAhead(PathLimits limits, bool constant_velocity, PathSink& sink)
+    : limits_(std::move(limits)),
+      constant_velocity_(constant_velocity),
+      sink_(sink),
+      window_(std::max<std::size_t>(shortest_window, limits_.dynamics().channel.look_ahead_blocks)) {}
 
 void LookAhead::begin(Point const& position, ToleranceMonitor monitor, double acceleration_factor) {
   position_ = position;
   monitor_ = constant_velocity_ ? ToleranceMonitor() : std::move(monitor);
-  acceleration_factor_ = acceleration_factor;
-  full_ = window_;
+  limits_.set_acceleration_factor(acceleration_factor);
+  forget();
 }
 
 void LookAhead::add(ProgrammedBlock const& block) {
-  Point way = minus(block.end, position_);
-  double const distance = block.arc ? block.arc->length : motion::length(way);
+  double const distance = block.arc ? block.arc->length : motion::length(minus(block.end, position_));
   if (!(distance > 0)) return;
-  PathBlock added;
-  added.end = block.end;
-  added.length = distance;
-  if (block.arc) {
-    way[block.arc->first] = way[block.arc->second] = 0;
-    added.path = Segment(position_, plus({}, 1 / distance, way), block.arc);
-    added.velocity = block.feed;
-    if (!constant_velocity_) {
-      added.velocity = std::min({block.feed, limits_.velocity(added.path), tolerated(*block.arc)});
-    }
-    added.acceleration = limits_.acceleration(added.path, added.velocity);
-  } else {
-    auto const direction = plus({}, 1 / distance, way);
-    added.path = Segment(position_, direction);
-    added.velocity = std::min(block.feed, limits_.velocity(direction));
-    added.acceleration = limits_.acceleration(direction);
-  }
-  added.slope = block.slope;
-  if (block.slope == Slope::sine_squared) added.acceleration /= 2;
-  if (constant_velocity_) added.acceleration = at_once;
+  PathBlock const* const before = blocks_.empty() ? nullptr : &blocks_.back();
+  bool const begins_faster = before != nullptr && before->brakes_late;
+  double const most = block.arc ? tolerated(*block.arc) : unlimited;
+  auto& added = blocks_.emplace_back(limits_.block(block, position_, distance, most, begins_faster));
   added.index = next_index_++;
-  added.line = block.line;
-  added.label = block.label;
   position_ = block.end;
-  blocks_.push_back(std::move(added));
-  if (blocks_.size() >= full_) plan(false);
+  auto const limit = before != nullptr ? junction_limit(*before, added) : JunctionLimit{added.velocity};
+  asked_.push_back({.length = added.length,
+                    .velocity = added.velocity,
+                    .velocity_cause = added.velocity_cause,
+                    .entry = limit.velocity,
+                    .entry_cause = limit.cause,
+                    .up = &added.up,
+                    .down = &added.down,
+                    .across = added.mode->across_blocks});
+  if (added.mode->across_blocks && !constant_velocity_ && !std::exchange(is_across_, true)) {
+    if (!monitor_.active()) full_ = hsc_window;
+  }
+  if (holds_blocks()) {
+    if (blocks_.size() >= full_) plan(false);
+  } else {
+    if (!constant_velocity_) velocities_.push(asked_.back());
+    if (blocks_.size() >= (constant_velocity_ ? shortest_window : window_)) pass_block(false);
+  }
+  if (!block.exact_stop) return;
+  stop();
+  sink_.exact_stop(last_block_);
 }
 
 /// The velocity at which a circle keeps the tolerance long after its beginning; its beginning and end are
@@ -63,14 +71,20 @@ double LookAhead::tolerated(Arc const& arc) {
 }
 
 void LookAhead::stop() {
-  if (!blocks_.empty()) plan(true);
-  last_block_ = {};
+  if (holds_blocks()) {
+    if (!blocks_.empty()) plan(true);
+  } else {
+    while (!blocks_.empty()) pass_block(true);
+  }
   forget();
 }
 
 /// The path rests, and nothing before it counts any more.
 void LookAhead::forget() {
   velocity_ = 0;
+  velocities_.begin(0, false);
+  is_across_ = false;
+  full_ = 2 * window_;
   corners_.clear();
   has_end_corner_ = false;
   passed_corners_ = 0;
@@ -78,7 +92,30 @@ void LookAhead::forget() {
   passed_pieces_ = 0;
   time_ = valid_from_ = 0;
   kept_.clear();
-  kept_blocks_ = 0;
+  kept_motions_.clear();
+}
+
+/// Hands on the first block, which ends in the next one or where the path stops.
+void LookAhead::pass_block(bool ends) {
+  auto const& block = blocks_.front();
+  PathBlock const* const next = blocks_.size() > 1 ? &blocks_[1] : nullptr;
+  BlockMotion motion{block.velocity, block.velocity, block.velocity, block.velocity_cause};
+  phases_.clear();
+  if (constant_velocity_) {
+    phases_.push_back(Phase::steady(block.velocity, block.length));
+  } else {
+    auto passed = velocities_.pass(ends);
+    complete(passed);
+    append_profile(task_of(passed), passed.velocity_middle, phases_);
+    motion = {passed.velocity_in, std::max(passed.velocity_in, passed.velocity_middle), passed.velocity_out,
+              passed.limited_by};
+  }
+  for (auto const& phase : phases_) sink_.piece(block, phase);
+  sink_.block_end(block, next, motion);
+  velocity_ = motion.velocity_out;
+  last_block_ = std::move(blocks_.front());
+  blocks_.pop_front();
+  asked_.pop_front();
 }
 
 /// At rest there is no block on one side.
@@ -97,7 +134,7 @@ Corner LookAhead::corner_between(PathBlock const* before, PathBlock const* after
   return corner;
 }
 
-/// Corners of blocks that were in the window already keep what is known about them.
+/// Corners of blocks that were held already keep what is known about them.
 void LookAhead::collect_corners() {
   if (has_end_corner_) corners_.pop_back();
   has_end_corner_ = false;
@@ -113,9 +150,9 @@ void LookAhead::collect_corners() {
     auto const& block = blocks_[i];
     auto const& before = i > 0 ? blocks_[i - 1] : last_block_;
     bool const moves = i > 0 || velocity_ > 0;
-    Point const turn = minus(block.direction_in(), before.direction_out());
+    Point const turn = moves ? minus(block.direction_in(), before.direction_out()) : Point{};
     bool const is_sharp =
-        moves && std::any_of(turn.begin(), turn.end(), [](double u) { return std::abs(u) > no_turn; });
+        std::any_of(turn.begin(), turn.end(), [](double u) { return std::abs(u) > no_turn; });
     corners_.push_back(corner_between(moves ? &before : nullptr, &block, is_sharp));
     corners_.back().place = places_[i];
   }
@@ -141,7 +178,7 @@ void LookAhead::for_each_plateau(Take take) const {
   }
 }
 
-void LookAhead::cut_into_stretches() {
+void LookAhead::cut_into_elements() {
   cuts_ = places_;
   for_each_plateau([this](double from, double to, double /*velocity*/, std::size_t /*corner*/) {
     for (double const end : {from, to}) {
@@ -149,19 +186,19 @@ void LookAhead::cut_into_stretches() {
     }
   });
   std::sort(cuts_.begin(), cuts_.end());
-  stretches_.clear();
+  elements_.clear();
   std::size_t block = 0;
   double from = 0;
+  bool begins_block = true;
   for (double const cut : cuts_) {
     bool const ends_block = cut == places_[block + 1];
     if (cut - from > no_length || ends_block) {
-      auto const& asked = blocks_[block];
-      stretches_.push_back({.block = block,
-                            .piece = {.length = std::max(0.0, cut - from),
-                                      .velocity_limit = asked.velocity,
-                                      .acceleration = asked.acceleration,
-                                      .smooth = asked.slope == Slope::sine_squared},
-                            .ends_block = ends_block});
+      auto& element = elements_.emplace_back(asked_[block]);
+      element.block = block;
+      element.length = std::max(0.0, cut - from);
+      element.ends_block = ends_block;
+      if (!begins_block) element.entry = element.velocity;
+      begins_block = ends_block;
       from = cut;
     }
     if (ends_block && block + 1 < blocks_.size()) ++block;
@@ -169,91 +206,105 @@ void LookAhead::cut_into_stretches() {
 }
 
 void LookAhead::limit_by_plateaus() {
+  slowed_for_stop_ = elements_.size();
   cuts_.clear();
   double place = 0;
-  for (auto const& stretch : stretches_) cuts_.push_back(place += stretch.piece.length);
+  for (auto const& element : elements_) cuts_.push_back(place += element.length);
   for_each_plateau([this](double begin, double end, double velocity, std::size_t corner) {
     bool const is_for_stop = corner + 1 == corners_.size();
     auto at = static_cast<std::size_t>(std::upper_bound(cuts_.begin(), cuts_.end(), begin + no_length) -
                                        cuts_.begin());
-    for (; at < stretches_.size() && cuts_[at] - stretches_[at].piece.length < end - no_length; ++at) {
-      auto& piece = stretches_[at].piece;
-      if (!(piece.velocity_limit > velocity)) continue;
-      piece.velocity_limit = velocity;
-      if (is_for_stop) touched_ = std::min(touched_, at);
+    for (; at < elements_.size() && cuts_[at] - elements_[at].length < end - no_length; ++at) {
+      auto& element = elements_[at];
+      if (!(element.velocity > velocity)) continue;
+      element.velocity = velocity;
+      element.velocity_cause = LimitedBy::tolerance;
+      if (is_for_stop) slowed_for_stop_ = std::min(slowed_for_stop_, at);
     }
   });
-}
-
-/// False where the path would have to brake harder than it can.
-bool LookAhead::choose_velocities() {
-  std::size_t const count = stretches_.size();
-  velocities_.assign(count + 1, unlimited);
-  velocities_[count] = constant_velocity_ ? unlimited : 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    double const limit = stretches_[i].piece.velocity_limit;
-    velocities_[i] = std::min(velocities_[i], limit);
-    velocities_[i + 1] = std::min(velocities_[i + 1], limit);
-    if (!stretches_[i].ends_block || i + 1 == count || constant_velocity_) continue;
-    auto const turn =
-        minus(blocks_[stretches_[i + 1].block].direction_in(), blocks_[stretches_[i].block].direction_out());
-    velocities_[i + 1] = std::min(velocities_[i + 1], limits_.corner(turn, acceleration_factor_));
-  }
-  auto const before = [&](std::size_t i) {
-    auto const& piece = stretches_[i].piece;
-    double const next = velocities_[i + 1];
-    return std::sqrt(next * next + 2 * piece.acceleration * piece.length);
+  auto const lower = [](PathElement& element, PathElement const& by) {
+    if (by.velocity_cause != LimitedBy::tolerance || !(by.velocity < element.entry)) return;
+    element.entry = by.velocity;
+    element.entry_cause = LimitedBy::tolerance;
   };
-  for (std::size_t i = count; i-- > 1;) {
-    double const braking = before(i);
-    if (touched_ == i + 1 && braking <= velocities_[i]) touched_ = i;
-    velocities_[i] = std::min(velocities_[i], braking);
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    lower(elements_[i], elements_[i]);
+    if (i > 0) lower(elements_[i], elements_[i - 1]);
   }
-  bool feasible = true;
-  if (!constant_velocity_) {
-    velocities_[0] = velocity_;
-    feasible = velocity_ <= before(0) * (1 + 1e-9);
-  }
-  // The stretch before the first that brakes for the stop ends with another velocity without it.
-  if (touched_ > 0) --touched_;
-  for (std::size_t i = 0; i < count; ++i) {
-    auto& piece = stretches_[i].piece;
-    double const now = velocities_[i];
-    velocities_[i + 1] =
-        std::min(velocities_[i + 1], std::sqrt(now * now + 2 * piece.acceleration * piece.length));
-    piece.velocity_in = now;
-    piece.velocity_out = velocities_[i + 1];
-  }
-  return feasible;
 }
 
-void LookAhead::make_plan() {
-  cut_into_stretches();
-  touched_ = stretches_.size();
-  if (monitor_.active()) limit_by_plateaus();
-  feasible_ = choose_velocities();
+/// An element with its phases; those of a block add up.
+void LookAhead::take(PassedElement const& passed, std::vector<Phase> const& phases) {
+  auto const block = passed.element.block;
+  double const peak = std::max(passed.velocity_in, passed.velocity_middle);
+  if (block >= motions_.size()) {
+    motions_.push_back({passed.velocity_in, peak, passed.velocity_out, passed.limited_by});
+  } else {
+    auto& motion = motions_[block];
+    if (peak > motion.velocity_peak || passed.limited_by == LimitedBy::tolerance) {
+      motion.limited_by = passed.limited_by;
+    }
+    motion.velocity_peak = std::max(motion.velocity_peak, peak);
+    motion.velocity_out = passed.velocity_out;
+  }
+  for (auto const& phase : phases) pieces_.push_back({.block = block, .phase = phase, .ends_block = false});
+  if (!passed.element.ends_block) return;
+  bool const has_piece = !pieces_.empty() && pieces_.back().block == block;
+  if (!has_piece) pieces_.push_back({.block = block, .phase = {}, .ends_block = false});
+  pieces_.back().ends_block = true;
 }
 
-/// When the plan passes its stretches and corners.
+/// As the control would, with what it knows of the program when each block begins.
+void LookAhead::choose_velocities(bool ends) {
+  velocities_.begin(velocity_, velocity_ > 0);
+  std::size_t pushed = 0;
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    std::size_t const known = elements_[i].block + window_;
+    while (pushed < elements_.size() && elements_[pushed].block < known) {
+      velocities_.push(elements_[pushed++]);
+    }
+    auto passed = velocities_.pass(ends);
+    complete(passed);
+    bool const would_change = passed.waits_for_blocks && known > blocks_.size();
+    if (would_change || i + 1 >= slowed_for_stop_) touched_ = std::min(touched_, pieces_.size());
+    feasible_ = feasible_ && passed.is_possible;
+    phases_.clear();
+    append_profile(task_of(passed), passed.velocity_middle, phases_);
+    take(passed, phases_);
+  }
+}
+
+void LookAhead::make_plan(bool ends) {
+  cut_into_elements();
+  limit_by_plateaus();
+  pieces_.clear();
+  motions_.clear();
+  touched_ = std::numeric_limits<std::size_t>::max();
+  feasible_ = true;
+  if (is_across_) return plan_stretches(ends);
+  choose_velocities(ends);
+}
+
+/// When the plan passes its pieces and corners.
 void LookAhead::time_plan() {
   path_.resize(passed_pieces_);
   double time = time_;
   double within = 0;  // the block
-  for (auto const& stretch : stretches_) {
-    auto const& block = blocks_[stretch.block];
-    if (within == 0) corners_[passed_corners_ + stretch.block].time = time;
-    TimedPiece piece;
-    piece.path = block.path;
-    piece.from = within;
-    piece.length = stretch.piece.length;
-    piece.profile = VelocityProfile(stretch.piece);
-    piece.place = places_[stretch.block] + within;
-    piece.start = time;
-    piece.duration = piece.profile.duration();
-    piece.ends_block = stretch.ends_block;
-    time += piece.duration;
-    within = stretch.ends_block ? 0 : within + stretch.piece.length;
-    path_.push_back(piece);
+  for (auto const& piece : pieces_) {
+    auto const& block = blocks_[piece.block];
+    if (within == 0) corners_[passed_corners_ + piece.block].time = time;
+    TimedPiece timed;
+    timed.path = block.path;
+    timed.from = within;
+    timed.length = piece.phase.length;
+    timed.phase = piece.phase;
+    timed.place = places_[piece.block] + within;
+    timed.start = time;
+    timed.duration = piece.phase.duration;
+    timed.ends_block = piece.ends_block;
+    time += timed.duration;
+    within = piece.ends_block ? 0 : within + timed.length;
+    path_.push_back(timed);
   }
   corners_.back().time = time;
 }
@@ -264,96 +315,156 @@ bool LookAhead::is_too_long() const {
 }
 
 /// Plans until the tolerance is kept. False where it cannot be.
-bool LookAhead::keep_tolerance() {
+bool LookAhead::keep_tolerance(bool ends) {
   for (int round = 0; feasible_; ++round) {
     time_plan();
     if (is_too_long()) return true;
     auto const verdict = monitor_.judge({.pieces = path_, .valid_from = valid_from_}, corners_, round);
     if (verdict == ToleranceMonitor::Verdict::keeps) return true;
     bool const is_lost = verdict != ToleranceMonitor::Verdict::changed;
-    if (is_lost && kept_blocks_ > 0) return false;
+    if (is_lost && !kept_.empty()) return false;
     // All of it is as slow as it may be; the simulation's measurement has the last word.
     if (verdict == ToleranceMonitor::Verdict::exceeds) return true;
-    make_plan();
+    make_plan(ends);
   }
   return false;
 }
 
 /// Blocks that end so early that no later plan changes what is measured on them.
 std::size_t LookAhead::untouched_blocks() const {
-  double const end = path_[passed_pieces_ + touched_].start - monitor_.cycles_after();
+  auto const touched = std::min(touched_, pieces_.size() - 1);
+  double const end = path_[passed_pieces_ + touched].start - monitor_.cycles_after();
   std::size_t count = 0;
-  for (std::size_t i = 0; i < stretches_.size(); ++i) {
-    if (!stretches_[i].ends_block) continue;
+  for (std::size_t i = 0; i < touched; ++i) {
+    if (!pieces_[i].ends_block) continue;
     if (path_[passed_pieces_ + i].end() > end) break;
-    count = stretches_[i].block + 1;
+    count = pieces_[i].block + 1;
   }
   return std::min(count, blocks_.size() - 1);
+}
+
+/// Across the ends of blocks. What follows the last place in the first half may still change. Where there is
+/// no place before the end, there is one in the middle.
+void LookAhead::plan_stretches(bool ends) {
+  auto parts = motion::plan_stretches(elements_, velocity_, ends);
+  auto const is_early = [&](StretchPart const& part) {
+    auto const& element = part.passed.element;
+    return part.is_place && element.ends_block && element.block + 1 < blocks_.size();
+  };
+  if (!ends && blocks_.size() > 1 && std::none_of(parts.begin(), parts.end(), is_early)) {
+    auto const middle = std::find_if(elements_.begin(), elements_.end(), [&](PathElement const& element) {
+      return element.block == blocks_.size() / 2;
+    });
+    parts = motion::plan_stretches(elements_, velocity_, ends,
+                                   static_cast<std::size_t>(middle - elements_.begin()));
+  }
+  std::size_t place = 0;
+  std::size_t pieces = 0;
+  for (auto const& part : parts) {
+    feasible_ = feasible_ && part.passed.is_possible;
+    take(part.passed, part.phases);
+    auto const& element = part.passed.element;
+    if (!part.is_place || !element.ends_block) continue;
+    pieces_.back().is_place = true;
+    if (!is_early(part) || (place > 0 && element.block >= blocks_.size() / 2)) continue;
+    place = element.block + 1;
+    pieces = pieces_.size();
+  }
+  touched_ = pieces;
+  settled_blocks_ = place;
 }
 
 void LookAhead::plan(bool stops) {
   while (!blocks_.empty()) {
     collect_corners();
-    make_plan();
-    if (!monitor_.active()) return hand_on(stops ? blocks_.size() : window_ / 2, stops);
-    if (!keep_tolerance()) {
+    make_plan(stops);
+    if (!monitor_.active()) {
+      plan_across(stops);
+      if (stops) continue;
+      return;
+    }
+    if (!keep_tolerance(stops)) {
       drive_kept_plan();
       continue;
     }
     if (stops || is_too_long()) {
       hand_on(blocks_.size(), true);
-      return forget();
+      return;
     }
     auto const count = untouched_blocks();
-    full_ = std::max(blocks_.size() - count + window_ / 2, window_);
+    full_ = std::max(blocks_.size() - count + window_, 2 * window_);
     if (count > 0) hand_on(count, false);
     return;
   }
 }
 
+/// Without tolerance. Where no plan goes on from here, the last one does up to its next place.
+void LookAhead::plan_across(bool stops) {
+  bool const is_lost = !feasible_ && !kept_.empty();
+  std::size_t count = stops ? blocks_.size() : settled_blocks_;
+  if (is_lost) {
+    pieces_ = kept_;
+    motions_ = kept_motions_;
+    auto const place =
+        std::find_if(pieces_.begin(), pieces_.end(), [](auto const& each) { return each.is_place; });
+    count = place->block + 1;
+  }
+  hand_on(count, count == blocks_.size());
+  full_ = blocks_.size() + hsc_window / 2;
+}
+
 void LookAhead::hand_on(std::size_t count, bool stops) {
   std::size_t i = 0;
-  for (; i < stretches_.size() && stretches_[i].block < count; ++i) {
-    auto const& stretch = stretches_[i];
-    auto const& block = blocks_[stretch.block];
-    sink_.piece(block, stretch.piece);
-    if (!stretch.ends_block) continue;
-    bool const last = stops && stretch.block + 1 == blocks_.size();
-    sink_.block_end(block, last ? nullptr : &blocks_[stretch.block + 1]);
-    velocity_ = stretch.piece.velocity_out;
+  for (; i < pieces_.size() && pieces_[i].block < count; ++i) {
+    auto const& piece = pieces_[i];
+    auto const& block = blocks_[piece.block];
+    if (piece.phase.duration > 0) sink_.piece(block, piece.phase);
+    if (!piece.ends_block) continue;
+    bool const last = stops && piece.block + 1 == blocks_.size();
+    sink_.block_end(block, last ? nullptr : &blocks_[piece.block + 1], motions_[piece.block]);
+    velocity_ = motions_[piece.block].velocity_out;
   }
   // Where the path stops, nothing is left to look back at.
-  if (monitor_.active() && !stops) {
-    kept_.assign(stretches_.begin() + static_cast<std::ptrdiff_t>(i), stretches_.end());
-    for (auto& stretch : kept_) stretch.block -= count;
-    kept_blocks_ = blocks_.size() - count;
-    remember(count);
+  if (!stops) {
+    kept_.assign(pieces_.begin() + static_cast<std::ptrdiff_t>(i), pieces_.end());
+    for (auto& piece : kept_) piece.block -= count;
+    kept_motions_.assign(motions_.begin() + static_cast<std::ptrdiff_t>(count), motions_.end());
+    if (monitor_.active()) remember(count);
   }
+  drop_blocks(count);
+  if (stops) forget();
+}
+
+void LookAhead::drop_blocks(std::size_t count) {
   last_block_ = blocks_[count - 1];
   blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(count));
+  asked_.erase(asked_.begin(), asked_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 /// The rest of the last plan that kept the tolerance, until the filters have settled where it stops.
 void LookAhead::drive_kept_plan() {
-  for (auto const& stretch : kept_) {
-    auto const& block = blocks_[stretch.block];
-    sink_.piece(block, stretch.piece);
-    if (!stretch.ends_block) continue;
-    bool const last = stretch.block + 1 == kept_blocks_;
-    sink_.block_end(block, last ? nullptr : &blocks_[stretch.block + 1]);
+  std::size_t const count = kept_motions_.size();
+  for (auto const& piece : kept_) {
+    auto const& block = blocks_[piece.block];
+    if (piece.phase.duration > 0) sink_.piece(block, piece.phase);
+    if (!piece.ends_block) continue;
+    bool const last = piece.block + 1 == count;
+    sink_.block_end(block, last ? nullptr : &blocks_[piece.block + 1], kept_motions_[piece.block]);
   }
-  last_block_ = blocks_[kept_blocks_ - 1];
+  drop_blocks(count);
   sink_.rest(last_block_, static_cast<std::uint64_t>(monitor_.cycles_before() + monitor_.cycles_after()));
-  blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(kept_blocks_));
   forget();
+  // Those that are left begin at rest.
+  if (!asked_.empty()) asked_.front().entry = asked_.front().velocity;
+  for (auto const& block : blocks_) is_across_ = is_across_ || block.mode->across_blocks;
 }
 
 /// Keeps the part of the path that the next plan looks back at: times count from the last whole cycle, places
-/// from the window.
+/// from the blocks that are held.
 void LookAhead::remember(std::size_t count) {
   std::size_t pieces = passed_pieces_;
-  for (auto const& stretch : stretches_) {
-    if (stretch.block >= count) break;
+  for (auto const& piece : pieces_) {
+    if (piece.block >= count) break;
     ++pieces;
   }
   double const time = path_[pieces].start;

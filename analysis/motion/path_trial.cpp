@@ -90,9 +90,9 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
     }
     auto const& piece = path[walk.piece];
     double const within = std::max(0.0, time - piece.start);
-    double const way = piece.profile.way_at(within);
+    double const way = piece.phase.way_at(within);
     point.nominal = piece.at(way);
-    point.velocity = piece.profile.velocity_at(within);
+    point.velocity = piece.phase.velocity_at(within);
     looked = {.piece = &piece, .way = way};
     place = looked.place();
   };

@@ -7,8 +7,8 @@
 
 #include "analysis/motion/contour/contour_meter.hpp"
 #include "analysis/motion/group_runtime.hpp"
+#include "analysis/motion/planning/phase.hpp"
 #include "analysis/motion/segment.hpp"
-#include "analysis/motion/velocity_profile.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -24,7 +24,7 @@ struct TimedPiece {
   Segment path;
   double from = 0;    ///< along the path, position units
   double length = 0;  ///< position units
-  VelocityProfile profile;
+  Phase phase;
   double place = 0;     ///< of its beginning along the path, position units
   double start = 0;     ///< cycles
   double duration = 0;  ///< cycles

@@ -15,7 +15,7 @@ constexpr double places_per_turn = 64;
 std::size_t places_within(TimedPiece const& piece, double cycles) {
   auto const* const arc = piece.path.arc();
   if (arc == nullptr) return 0;
-  double const way = piece.profile.velocity_at(piece.profile.steady_from()) * std::max(0.0, cycles);
+  double const way = piece.phase.velocity * std::max(0.0, cycles);
   double const share = std::min(1.0, way / arc->length);
   double const turns = share * std::abs(arc->sweep) / (2 * std::numbers::pi);
   return static_cast<std::size_t>(std::ceil(turns * places_per_turn));
@@ -35,8 +35,9 @@ std::vector<TrialSpan> searched_spans(std::span<TimedPiece const> path, TrialSpa
   auto const first = std::partition_point(path.begin(), path.end(),
                                           [&](TimedPiece const& piece) { return piece.end() < span.from; });
   for (auto piece = first; piece != path.end() && piece->start < span.to; ++piece) {
-    double const from = std::max(begun, piece->start + piece->profile.steady_from() + before);
-    double const to = std::min(span.to, piece->start + piece->profile.steady_to() - after);
+    if (!piece->phase.is_steady()) continue;
+    double const from = std::max(begun, piece->start + before);
+    double const to = std::min(span.to, piece->end() - after);
     std::size_t const places = places_within(*piece, to - from);
     double const apart = (to - from) / static_cast<double>(places + 1);
     // A place costs as much as the cycles that lead to it.

@@ -1,5 +1,7 @@
 #include "analysis/motion/simulation.hpp"
 
+#include "analysis/motion/planning/junction.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +10,14 @@ namespace axisc::motion {
 namespace {
 
 constexpr std::uint64_t cycles_per_call = 1024;
+constexpr double rounding = 1e-9;
+
+Point windows_of(PathLimits const& path) {
+  Point windows{};
+  auto const& axes = path.dynamics().axes;
+  for (std::size_t i = 0; i < axes.size(); ++i) windows[i] = axes[i].exact_stop_window;
+  return windows;
+}
 
 }  // namespace
 
@@ -19,6 +29,8 @@ Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path
       meter_(runtime_.axis_count(), *this),
       interpolator_(*this),
       constant_velocity_(constant_velocity),
+      exact_stop_windows_(windows_of(path)),
+      trapez_time_(path),
       look_ahead_(std::move(path), constant_velocity, interpolator_),
       limits_(std::move(limits)) {
   learn_answers();
@@ -45,6 +57,7 @@ void Simulation::begin_pass(std::string command, std::uint32_t line) {
 void Simulation::motion(ProgrammedBlock const& block) {
   if (failure_) return;
   open_pass();
+  if (compares_slopes()) trapez_time_.add(block);
   look_ahead_.add(block);
 }
 
@@ -53,6 +66,8 @@ void Simulation::open_pass() {
   pass_open_ = true;
   pass_begin_ = cycles_;
   if (tolerance_ > 0 && !constant_velocity_) pass_.tolerance = tolerance_;
+  path_cycles_ = 0;
+  trapez_time_.begin(last_.nominal, acceleration_factor_);
   meter_.begin(answers_, last_.nominal);
   look_ahead_.begin(last_.nominal, ToleranceMonitor(probe_, answers_, tolerance_, limits_.working),
                     acceleration_factor_);
@@ -96,9 +111,14 @@ void Simulation::stop(double cycles, std::uint32_t line) {
   rest(cycles, line);
 }
 
+bool Simulation::compares_slopes() const {
+  return tolerance_ == 0 && !constant_velocity_;
+}
+
 /// The path stops until the filters have settled, and at least this long.
 void Simulation::rest(double cycles, std::uint32_t line) {
   look_ahead_.stop();
+  trapez_time_.stop();
   if (failure_) return;
   last_.velocity = 0;
   if (!settled_) {
@@ -117,17 +137,17 @@ void Simulation::finish_pass() {
   close_blocks_before(~std::uint64_t{0});
   pass_open_ = false;
   pass_.cycles = static_cast<double>(cycles_ - pass_begin_);
+  if (auto const other = trapez_time_.cycles()) pass_.trapez_cycles = pass_.cycles + *other - path_cycles_;
   if (pass_.blocks > 0 && !failure_) listener_.pass(pass_);
 }
 
 void Simulation::step(ContourPoint const& point) {
-  Point filtered{};
-  auto const status = runtime_.step(point.nominal, filtered);
+  auto const status = runtime_.step(point.nominal, filtered_);
   if (status != AXISRT_OK && !failure_) {
     failure_ = SimulationFailure{.status = status, .command = {}, .blocking_axis = {}, .endless_line = {}};
   }
   ++cycles_;
-  meter_.cycle(point, filtered);
+  meter_.cycle(point, filtered_);
   if (limits_.working && cycles_ % cycles_per_call == 0) limits_.working();
 }
 
@@ -179,10 +199,40 @@ void Simulation::sample(Point const& setpoint, double velocity, PathBlock const&
   step(last_);
 }
 
-void Simulation::corner(PathBlock const& block, PathBlock const* next, double block_cycles) {
+void Simulation::phase(PathBlock const& block, Phase const& phase) {
+  path_cycles_ += phase.duration;
+  if (!constant_velocity_) pass_.peaks.take(block, phase);
+}
+
+/// The axes are there when the filters have come so close. Drives follow their setpoints.
+void Simulation::exact_stop(PathBlock const& block) {
+  last_.velocity = 0;
+  auto const is_there = [this] {
+    for (std::size_t i = 0; i < runtime_.axis_count(); ++i) {
+      if (std::abs(filtered_[i] - last_.nominal[i]) > exact_stop_windows_[i]) return false;
+    }
+    return true;
+  };
+  double most = 0;
+  for (auto const& answer : answers_) most = std::max(most, answer.delay + answer.reach);
+  for (double n = 0; n < most && !failure_ && !is_there(); n += 1) {
+    if (room() < 1) return fail_for_length(block.line);
+    step(last_);
+  }
+}
+
+void Simulation::corner(PathBlock const& block, PathBlock const* next, double block_cycles,
+                        BlockMotion const& motion) {
   if (failure_) return;
   open_block(block);
-  if (auto* const summary = find_block(block.index)) summary->cycles = block_cycles;
+  if (auto* const summary = find_block(block.index)) {
+    summary->cycles = block_cycles;
+    summary->motion = motion;
+    summary->slope = block.mode->slope;
+    bool const is_forced = next != nullptr && block.mode->least_corner_velocity > 0;
+    double const share = is_forced ? motion.velocity_out / step_velocity(block, *next) : 0;
+    if (share > 1 + rounding) summary->corner_step_share = share;
+  }
   ContourPoint point;
   point.nominal = block.end;
   point.block = block.index;

@@ -9,6 +9,8 @@
 #include "analysis/motion/interpolator.hpp"
 #include "analysis/motion/look_ahead.hpp"
 #include "analysis/motion/path_listener.hpp"
+#include "analysis/motion/planning/axis_peaks.hpp"
+#include "analysis/motion/planning/trapez_time.hpp"
 #include "axisrt.h"
 
 #include <algorithm>
@@ -34,6 +36,11 @@ struct PathSummary {
 };
 
 struct BlockSummary : PathSummary {
+  BlockMotion motion;
+  machine::Slope slope = machine::Slope::step;
+  /// #TRANSVELMIN: how much larger the step of an axis' velocity is at its end than the axis should make;
+  /// none where it is not.
+  std::optional<double> corner_step_share;
   std::uint64_t index = 0;
   std::uint32_t line = 0;
   std::string label;
@@ -44,6 +51,9 @@ struct PassSummary : PathSummary {
   std::uint32_t line = 0;  ///< of the command
   std::uint64_t blocks = 0;
   std::optional<double> tolerance;  ///< to be monitored (AX_DEV), position units
+  AxisPeaks peaks;                  ///< of the setpoints before the filters, within blocks
+  /// Duration with TRAPEZ in the place of HSC; none without HSC, or with tolerance monitoring.
+  std::optional<double> trapez_cycles;
 
   [[nodiscard]] bool keeps_tolerance() const { return !tolerance || largest_axis_error() <= *tolerance; }
 };
@@ -97,7 +107,10 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   [[nodiscard]] double room() const override;
   void no_room(PathBlock const& block) override;
   void sample(Point const& setpoint, double velocity, PathBlock const& block) override;
-  void corner(PathBlock const& block, PathBlock const* next, double block_cycles) override;
+  void phase(PathBlock const& block, Phase const& phase) override;
+  void corner(PathBlock const& block, PathBlock const* next, double block_cycles,
+              BlockMotion const& motion) override;
+  void exact_stop(PathBlock const& block) override;
   void measured(MeasuredPoint const& point) override;
 
   void begin_pass(std::string command, std::uint32_t line);
@@ -105,6 +118,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   void finish_pass();
   void rest(double cycles, std::uint32_t line);
   void fail_for_length(std::uint32_t line);
+  [[nodiscard]] bool compares_slopes() const;
   void learn_answers();
   void step(ContourPoint const& point);
   void open_block(PathBlock const& block);
@@ -119,8 +133,11 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   ContourMeter meter_;
   Interpolator interpolator_;
   bool constant_velocity_;
+  Point exact_stop_windows_;  ///< of each axis, position units
+  TrapezTime trapez_time_;
   LookAhead look_ahead_;
   ContourPoint last_{};          ///< the setpoint that was given last
+  Point filtered_{};             ///< what the filters made of it
   std::uint32_t last_line_ = 0;  ///< of the block that moved last
   bool settled_ = true;          ///< the filters have come to rest there
   double tolerance_ = 0;
@@ -128,6 +145,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   PassSummary pass_;
   bool pass_open_ = false;
   std::uint64_t pass_begin_ = 0;
+  double path_cycles_ = 0;  ///< of the pass, without rests
   std::deque<BlockSummary> open_blocks_;
   std::uint64_t cycles_ = 0;
   std::uint64_t blocks_ = 0;

@@ -15,9 +15,14 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int most_tries_behind = 20;
 /// How often it is slowed down for any corner.
 constexpr int most_tries = 40;
+/// Plans, and two more for each corner, before all of the path is slowed down (see the header).
 constexpr int patient_rounds = 60;
+/// Cells that one proof looks at: the first that fails ends it.
 constexpr std::size_t proved_together = 16;
+/// A corner is slowed down only after its neighbours where one of them has a larger error than its own over
+/// this.
 constexpr double beside_worse = 0.9;
+/// Cycles: rounding of the place of a time within its cycle.
 constexpr double same_phase = 1e-7;
 
 std::uint64_t mixed(std::uint64_t x) {
@@ -33,9 +38,9 @@ std::uint64_t digest(TimedPiece const& piece) {
   for (double const x : piece.at(0)) add(x);
   add(piece.length);
   add(piece.duration);
-  add(piece.profile.velocity_at(0));
-  add(piece.profile.velocity_at(piece.duration / 2));
-  add(piece.profile.velocity_at(piece.duration));
+  add(piece.phase.velocity_at(0));
+  add(piece.phase.velocity_at(piece.duration / 2));
+  add(piece.phase.velocity_at(piece.duration));
   return sum;
 }
 

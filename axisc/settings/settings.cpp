@@ -10,6 +10,7 @@
 #include "axisc/settings/schema_file.hpp"
 #include "axisc/settings/sentences.hpp"
 #include "configuration/json_reading.hpp"
+#include "configuration/machine/motion_words.hpp"
 #include "diagnostics/ascii.hpp"
 #include "system/file.hpp"
 #include "system/path.hpp"
@@ -41,6 +42,7 @@ using configuration::by;
 using configuration::into;
 using configuration::JsonDocument;
 using configuration::JsonKey;
+using configuration::JsonReading;
 using configuration::JsonShape;
 using configuration::JsonValue;
 using Kind = configuration::JsonShapeKind;
@@ -112,6 +114,51 @@ constexpr std::array design_keys = {
 constexpr JsonShape design_shape{
     .kind = Kind::object, .title = "What the control makes of its filters", .keys = design_keys};
 
+/// By the number of the word.
+template <auto member>
+void store_motion(JsonReading const& /*reading*/, JsonShape const& shape, JsonValue const& value,
+                  void* target) {
+  auto& readings = *static_cast<machine::MotionReadings*>(target);
+  using Reading = std::remove_reference_t<decltype(readings.*member)>;
+  auto const word = std::find(shape.words.begin(), shape.words.end(), value.string);
+  readings.*member = static_cast<Reading>(word - shape.words.begin());
+}
+
+constexpr JsonShape projection_shape{.words = machine::projection_words};
+constexpr JsonShape border_shape{.words = machine::border_words};
+constexpr JsonShape sine_shape{.words = machine::sine_words};
+constexpr JsonShape circle_shape{.words = machine::circle_words};
+constexpr JsonShape corner_shape{.words = machine::corner_words};
+constexpr JsonShape transition_shape{.words = machine::transition_words};
+constexpr JsonShape cycle_shape{.words = machine::cycle_words};
+constexpr JsonShape hsc_shape{.words = machine::hsc_words};
+constexpr std::array motion_keys = {
+    JsonKey{"projection", &projection_shape, optional,
+            "Ramps along a line between axes: the weakest jerk of all, or the longest ramp time.",
+            store_motion<&machine::MotionReadings::projection>},
+    JsonKey{"borders", &border_shape, optional,
+            "TRAPEZ and SIN2 between blocks: acceleration 0, or continuous.",
+            store_motion<&machine::MotionReadings::borders>},
+    JsonKey{"sine", &sine_shape, optional,
+            "SIN2: each ramp is a sin², the whole change is one, or ramps with the largest jerk of TRAPEZ.",
+            store_motion<&machine::MotionReadings::sine>},
+    JsonKey{"circle", &circle_shape, optional,
+            "Acceleration on circles: shared along and across the path, or all of it across.",
+            store_motion<&machine::MotionReadings::circle>},
+    JsonKey{"corner", &corner_shape, optional,
+            "Acceleration that a corner may take in a cycle: the lower one, up alone, or down alone.",
+            store_motion<&machine::MotionReadings::corner>},
+    JsonKey{
+        "weights", &transition_shape, optional,
+        "Where P-CHAN-00117 is 0: the weight of curvature is at least that of acceleration, or the reverse.",
+        store_motion<&machine::MotionReadings::weights>},
+    JsonKey{"cycles", &cycle_shape, optional, "Ramps of any length, or of whole cycles.",
+            store_motion<&machine::MotionReadings::cycles>},
+    JsonKey{"hsc", &hsc_shape, optional, "HSC: TRAPEZ on stretches of blocks, or on each block.",
+            store_motion<&machine::MotionReadings::hsc>}};
+constexpr JsonShape motion_shape{
+    .kind = Kind::object, .title = "How the control plans a path", .keys = motion_keys};
+
 template <std::vector<std::string> Settings::*patterns>
 void store_patterns(JsonDocument const& document, JsonValue const& value, Settings& settings) {
   for (auto const item : value.items) (settings.*patterns).push_back(document[item].string);
@@ -138,6 +185,8 @@ constexpr std::array settings_keys = {
         "design", &design_shape, optional,
         "What the control makes of its filters where the manuals leave it open, as `axisc compare` finds it.",
         into<&Settings::readings>},
+    JsonKey{"motion", &motion_shape, optional,
+            "How the control plans a path where the manuals leave it open.", into<&Settings::motion>},
     JsonKey{"disable", &codes_shape, optional, "Findings that are not reported, by code or name.",
             by<store_codes<Settings>>},
     JsonKey{"severity", &severities_shape, optional, "Other severities of findings, by code or name.",
@@ -282,6 +331,7 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   if (!options.cycle_time && !ascii::has_extension(input, ".json")) options.cycle_time = settings.cycle_time;
   if (!options.build) options.build = settings.build;
   options.readings = settings.readings;
+  options.motion = settings.motion;
   options.catalogue = settings.catalogue;
   options.disabled.insert(options.disabled.end(), settings.disabled.begin(), settings.disabled.end());
   options.severities = settings.severities;

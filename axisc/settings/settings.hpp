@@ -5,6 +5,7 @@
 //     "build": "V3.1.3080.00",
 //     "language": "de",
 //     "design": {"filters": "no-prewarping", "kernels": "taps-n-plus-1"},   how the control computes filters
+//     "motion": {"sine": "whole-change"},         how it plans a path
 //     "disable": ["AX4007"],
 //     "severity": {"AX3013": "error"},
 //     "schema": ["build-3200.json"],              schema files, see schema_file.hpp; relative to this file
@@ -52,6 +53,7 @@ struct Settings {
   std::optional<validator::BuildVersion> build;
   std::optional<Language> language;
   design::Readings readings;
+  machine::MotionReadings motion;
   std::vector<Code> disabled;
   std::map<Code, Severity> severities;
   std::vector<PathSettings> paths;

@@ -1,4 +1,5 @@
 #include "axisc/settings/settings.hpp"
+#include "configuration/machine/motion_words.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/terminal.hpp"
@@ -65,6 +66,10 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
     add_reading("design: filters", readings.filters);
     add_reading("design: kernels", readings.kernels);
     add_reading("design: cycle_time", readings.cycle_time);
+    machine::for_each_reading(settings->motion,
+                              [&](std::string const& key, auto const& words, std::size_t i) {
+                                if (i != 0) add("motion: " + key, std::string(words.at(i)), from_file);
+                              });
     for (auto const& file : settings->schema_files) add("schema", file, from_file);
   }
   for (auto const& file : schema_files) add("schema", file, from_command_line);

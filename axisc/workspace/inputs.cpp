@@ -7,7 +7,7 @@
 #include "axisc/workspace/machine_outline.hpp"
 #include "axisc/workspace/response_file.hpp"
 #include "configuration/project_file.hpp"
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
 #include "system/folder.hpp"
 #include "system/path.hpp"

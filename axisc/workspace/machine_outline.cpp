@@ -7,8 +7,8 @@
 #include "configuration/machine_file_name.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
-#include "configuration/xml_list.hpp"
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_list.hpp"
+#include "configuration/xml/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
 #include "system/path.hpp"
 
@@ -205,7 +205,10 @@ MachineOutline read_machine_outline(std::string_view json) {
   for (auto const& axis : document["axes"]) add_list(outline.lists, axis, "list");
   add_programs(outline.programs, document);
   if (document.contains("groups")) {
-    for (auto const& group : document["groups"]) add_programs(outline.programs, group);
+    for (auto const& group : document["groups"]) {
+      add_list(outline.lists, group, "channel_list");
+      add_programs(outline.programs, group);
+    }
   }
   return outline;
 }

@@ -3,7 +3,7 @@
 #include "configuration/machine_file.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
 #include "validator/loading/loader.hpp"
 #include "validator/loading/loading.hpp"

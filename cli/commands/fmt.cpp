@@ -13,7 +13,7 @@
 #include "cli/options/named_files.hpp"
 #include "cli/options/sentences.hpp"
 #include "configuration/project_file.hpp"
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "system/file.hpp"

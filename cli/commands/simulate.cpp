@@ -22,6 +22,9 @@ constexpr Sentence option_output{"also write every NC cycle to this CSV file",
 constexpr Sentence option_constant_velocity{
     "keep the feed rate everywhere: no ramps, no slower corners, no AX_DEV",
     "überall mit dem Vorschub fahren: keine Rampen, keine langsameren Ecken, kein AX_DEV"};
+constexpr Sentence option_sharp_corners{
+    "follow corners as they are where the control rounds them (G61, G261, #CONTOUR MODE ON)",
+    "Ecken folgen, wie sie sind, wo die Steuerung sie verschleift (G61, G261, #CONTOUR MODE ON)"};
 constexpr Sentence option_max_cycles{
     "most NC cycles that are simulated (default: 100000000, or 10000000 where every cycle is written)",
     "höchste Zahl simulierter NC-Zyklen (Standardwert: 100000000, "
@@ -49,6 +52,7 @@ struct SimulateOptions {
   presentation::Format format = presentation::Format::text;
   bool alone = false;
   bool constant_velocity = false;
+  bool sharp_corners = false;
   bool progress = false;
   bool no_progress = false;
 };
@@ -59,6 +63,7 @@ void declare(CommandLine& command_line, SimulateOptions& options) {
   command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);
   command_line.value("--group", "NAME", options.group, says::option_group);
   command_line.flag("--constant-velocity", options.constant_velocity, says::option_constant_velocity);
+  command_line.flag("--sharp-corners", options.sharp_corners, says::option_sharp_corners);
   command_line.value("--max-cycles", "N", options.most_cycles, says::option_max_cycles);
   command_line.value("--plant", "PLANT.json", options.plant, says::option_plant);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_move);
@@ -109,6 +114,7 @@ ExitStatus simulate_program(SimulateOptions const& options, CheckedMachine check
   ProgramRequest request{.machine_path = *options.machine,
                          .program_path = *options.program,
                          .constant_velocity = options.constant_velocity,
+                         .sharp_corners = options.sharp_corners,
                          .most_cycles = most_cycles(options)};
   auto& machine = checked.machine;
   auto const index =
@@ -120,7 +126,8 @@ ExitStatus simulate_program(SimulateOptions const& options, CheckedMachine check
   }
   SimulatedPath const path{.group = machine.groups[index].name,
                            .axes = channel_of(machine, machine.groups[index]).axes,
-                           .cycle_time = machine.cycle_time};
+                           .cycle_time = machine.cycle_time,
+                           .dynamics = machine.groups[index].dynamics};
   auto file = output_file(options, request.program_path, checked.files);
   bool const prints_rows = options.format == presentation::Format::csv;
   CycleWriter printed(path, [&](std::string_view text) { invocation.streams.out.write(text); });

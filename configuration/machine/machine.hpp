@@ -3,6 +3,7 @@
 #pragma once
 
 #include "configuration/machine/filter_command.hpp"
+#include "configuration/machine/path_dynamics.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
 #include "design/oscillator.hpp"
@@ -78,6 +79,15 @@ struct DriveScaling {
   double multi_gain_n = 1;      ///< P-AXIS-00128
 };
 
+/// A parameter that a list sets to something that no plan of a path takes into account.
+struct UncomputedParameter {
+  std::string number;  ///< "P-AXIS-00561"
+  std::string name;    ///< as the list writes it
+  std::string file;    ///< the list, as findings name it
+  std::uint32_t line = 0;
+  std::string line_text;
+};
+
 struct AxisConfiguration {
   std::string name;
   std::uint32_t number = 1;  ///< kopf.achs_nr
@@ -90,10 +100,12 @@ struct AxisConfiguration {
   DriveScaling drive_scaling;
   /// Index into Machine::axes of the gantry's master, for a slave: its additive velocity is the master's.
   std::optional<std::size_t> gantry_master;
-  double position_window = 0.4;      ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
-  double velocity_limit = 0;         ///< P-AXIS-00212, µm/s or 1e-3 °/s
-  double acceleration_limit = 0;     ///< P-AXIS-00008, mm/s² or °/s²
-  double transition_weight = 0;      ///< P-AXIS-00013, in 0.1 %
+  double position_window = 0.4;   ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
+  double velocity_limit = 0;      ///< P-AXIS-00212, µm/s or 1e-3 °/s
+  double acceleration_limit = 0;  ///< P-AXIS-00008, mm/s² or °/s²
+  double transition_weight = 0;   ///< P-AXIS-00013, in 0.1 %
+  AxisDynamics dynamics = {};     ///< gear 0
+  std::vector<UncomputedParameter> uncomputed = {};
   std::vector<SourcedValue> values;  ///< everything its lists set, in the order of the lines
 };
 
@@ -126,6 +138,8 @@ struct MachineGroup {
   /// [HSC], which need none.
   std::vector<FilterParameters> filter_sets;
   std::vector<std::string> programs = {};  ///< paths of the NC programs that it runs
+  ChannelDynamics dynamics = {};
+  std::vector<UncomputedParameter> uncomputed = {};  ///< of the channel list
 };
 
 struct Machine {
@@ -134,7 +148,8 @@ struct Machine {
   std::vector<AxisConfiguration> axes;
   std::vector<MachineGroup> groups;
   std::vector<MachineList> lists;
-  bool inch = false;  ///< lengths in NC programs are inches
+  bool inch = false;           ///< lengths in NC programs are inches
+  MotionReadings motion = {};  ///< how the control plans a path where its manuals leave it open
 };
 
 }  // namespace axisc::machine

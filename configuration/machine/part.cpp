@@ -20,6 +20,7 @@ AxisConfiguration without_values(AxisConfiguration const& axis) {
           .velocity_limit = axis.velocity_limit,
           .acceleration_limit = axis.acceleration_limit,
           .transition_weight = axis.transition_weight,
+          .dynamics = axis.dynamics,
           .values = {}};
 }
 
@@ -31,7 +32,8 @@ MachinePart part_of(Machine const& whole, std::span<std::size_t const> axes) {
                                .axes = {},
                                .groups = {},
                                .lists = {},
-                               .inch = whole.inch},
+                               .inch = whole.inch,
+                               .motion = whole.motion},
                    .groups = {}};
   std::vector<std::size_t> kept(axes.begin(), axes.end());
   std::map<std::size_t, std::size_t> places;
@@ -55,7 +57,8 @@ MachinePart part_of(Machine const& whole, std::span<std::size_t const> axes) {
     part.machine.groups.push_back({.name = group.name,
                                    .axes = std::move(members),
                                    .filter_sets = group.filter_sets,
-                                   .programs = group.programs});
+                                   .programs = group.programs,
+                                   .dynamics = group.dynamics});
     part.groups.push_back(i);
   }
   return part;

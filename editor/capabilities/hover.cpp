@@ -114,7 +114,10 @@ Json hover(OpenMachines& machines, Json const& params) {
   }
   if (asked.path.ends_with(".nc")) {
     auto help = command_help(asked.text, offset, machines.reading_of(asked).machine(), language);
-    return help ? answer(std::move(help->text), help->begin, help->end) : Json();
+    if (help) return answer(std::move(help->text), help->begin, help->end);
+    auto const word = motion_word_at(asked.text, offset);
+    if (!word) return nullptr;
+    return answer(write(word_answer(*word->word), format, {.language = language}), word->begin, word->end);
   }
   if (!is_list(asked.path)) return nullptr;
   auto const& list = machines.list_of(asked);

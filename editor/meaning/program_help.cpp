@@ -120,6 +120,45 @@ std::optional<CommandHelp> command_help(std::string_view text, std::size_t offse
   return std::nullopt;
 }
 
+namespace {
+
+/// The words of one line; a command is the word that it begins with.
+class LineWords final : public grammar::ProgramListener {
+ public:
+  void word(grammar::Word const& word) override { spans.push_back(word.span); }
+  void command(grammar::NcCommand command) override { spans.push_back(command.name); }
+  void directive(grammar::Directive const& /*directive*/) override {}
+
+  std::vector<Span> spans;
+};
+
+}  // namespace
+
+std::optional<MotionWordPlace> motion_word_at(std::string_view text, std::size_t offset) {
+  if (offset > text.size()) return std::nullopt;
+  std::size_t const before = offset == 0 ? std::string_view::npos : text.find_last_of("\r\n", offset - 1);
+  std::size_t const begin = before == std::string_view::npos ? 0 : before + 1;
+  std::size_t const end = std::min(text.find_first_of("\r\n", offset), text.size());
+  LineWords line;
+  grammar::ProgramReader reader(line, grammar::ProgramDetail::words);
+  reader.line(text.substr(begin, end - begin), static_cast<std::uint32_t>(begin));
+  reader.finish();
+  std::vector<std::string_view> words;
+  for (Span const& span : line.spans) words.push_back(text.substr(span.begin, span.size()));
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    bool const is_command = words[i].starts_with('#');
+    auto const* const found = is_command ? schema::find_motion_word(std::span(words).subspan(i))
+                              : words[i].starts_with('G') ? schema::find_motion_word(words[i])
+                                                          : nullptr;
+    if (found == nullptr) continue;
+    Span const last = line.spans[i + schema::length_of(*found) - 1];
+    if (offset >= line.spans[i].begin && offset <= last.end) {
+      return MotionWordPlace{.word = found, .begin = line.spans[i].begin, .end = last.end};
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> command_words(std::string_view typed) {
   std::vector<std::string> words;
   auto const hash = typed.rfind('#');

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnostics/sentence.hpp"
+#include "schema/motion_words.hpp"
 #include "validator/loading/loading.hpp"
 
 #include <cstddef>
@@ -24,6 +25,16 @@ struct CommandHelp {
 [[nodiscard]] std::optional<CommandHelp> command_help(std::string_view text, std::size_t offset,
                                                       validator::LoadedMachine const* machine,
                                                       Language language);
+
+/// A word that says how a path is driven, where it stands.
+struct MotionWordPlace {
+  schema::MotionWord const* word = nullptr;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// The word at a byte of a program; none for all others.
+[[nodiscard]] std::optional<MotionWordPlace> motion_word_at(std::string_view text, std::size_t offset);
 
 /// Commands, switches and keywords that can continue a line, given its text up to the cursor.
 [[nodiscard]] std::vector<std::string> command_words(std::string_view typed);

@@ -3,7 +3,7 @@
 #include "configuration/list_kind.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_names.hpp"
 #include "validator/views/units_text.hpp"
 
 #include <algorithm>

@@ -57,7 +57,7 @@ std::map<std::string, std::set<std::string>> const may_include = {
     {"comparison", {"design", "diagnostics"}},
     {"recordings", {"diagnostics"}},
     {"tuning", {"motion", "recordings", "image", "codegen", "machine", "design", "diagnostics", "runtime"}},
-    {"motion", {"image", "codegen", "machine", "design", "grammar", "diagnostics", "runtime"}},
+    {"motion", {"image", "codegen", "machine", "schema", "design", "grammar", "diagnostics", "runtime"}},
     {"axisc",
      {"presentation", "pictures", "motion", "tuning", "comparison", "recordings", "image", "codegen",
       "validator", "configuration", "machine", "design", "schema", "grammar", "diagnostics", "system",

@@ -1,4 +1,5 @@
 #include "cli/program.hpp"
+#include "schema/motion_words.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "validator/engine/rule.hpp"
@@ -171,4 +172,46 @@ TEST_CASE("parameters of other kinds of lists are explained by their numbers, na
   auto const json = nlohmann::json::parse(run_axisc({"explain", "P-STUP-00015", "--format", "json"}).out);
   CHECK(json["parameters"][0]["list"] == "startup");
   CHECK(json["parameters"][0]["p_axis"] == "P-STUP-00015");
+}
+
+TEST_CASE("a word of NC programs that says how a path is driven is explained") {
+  check_golden("tests/cli/data/golden/words/en", run_axisc({"explain", "G60"}).out);
+  check_golden("tests/cli/data/golden/words/de", run_axisc({"explain", "#SLOPE", "--lang", "de"}).out);
+  check_golden("tests/cli/data/golden/words/json", run_axisc({"explain", "g131=50", "--format", "json"}).out);
+  CHECK(run_axisc({"explain", "#slope [type=trapez]"}).out == run_axisc({"explain", "#SLOPE"}).out);
+  for (auto const& word : axisc::schema::motion_words()) {
+    auto const outcome = run_axisc({"explain", std::string(word.word)});
+    INFO(word.word);
+    CHECK(outcome.status == 0);
+    CHECK_THAT(outcome.out, Catch::Matchers::Contains("`" + std::string(word.form) + "`"));
+  }
+}
+
+TEST_CASE("the page about NC programs has a row for every word that says how a path is driven") {
+  std::string const begin = "<!-- words: written by the tests -->\n";
+  std::string const end = "<!-- end of words -->\n";
+  std::string const name = "docs/nc-programs.md";
+  auto page = read_source_file(name);
+  auto const from = page.find(begin);
+  auto const to = page.find(end);
+  REQUIRE(from != std::string::npos);
+  REQUIRE(to != std::string::npos);
+  std::string table = "| word | counts | in plans | meaning | source |\n|---|---|---|---|---|\n";
+  for (auto const& word : axisc::schema::motion_words()) {
+    using axisc::schema::WordReach;
+    using axisc::schema::WordUse;
+    std::string form(word.form);
+    for (std::size_t bar = form.find('|'); bar != std::string::npos; bar = form.find('|', bar + 2)) {
+      form.insert(bar, "\\");
+    }
+    table += "| `" + form + "` | " + (word.reach == WordReach::block ? "in its block" : "from here on") +
+             " | " +
+             (word.use == WordUse::computed   ? "computed"
+              : word.use == WordUse::accepted ? "no effect"
+                                              : "refused") +
+             " | " + std::string(word.meaning.in(axisc::Language::english)) + " | " +
+             (word.source.empty() ? "" : "[page](" + axisc::schema::address_of(word.source) + ")") + " |\n";
+  }
+  page.replace(from + begin.size(), to - from - begin.size(), table);
+  check_golden(name, page);
 }

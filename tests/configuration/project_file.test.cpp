@@ -2,7 +2,7 @@
 #include "configuration/project_file.hpp"
 
 #include "configuration/machine_file.hpp"
-#include "configuration/xml_document.hpp"
+#include "configuration/xml/xml_document.hpp"
 #include "support/catch.hpp"
 
 namespace {

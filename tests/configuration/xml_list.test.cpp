@@ -1,8 +1,8 @@
 // Update and template files: elements named by a parameter's number become lines of a list, shown where the
 // file says them.
-#include "configuration/xml_list.hpp"
+#include "configuration/xml/xml_list.hpp"
 
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_names.hpp"
 #include "support/catch.hpp"
 
 #include <string>

@@ -141,10 +141,13 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   auto machine = mill();
   machine.groups[0].filter_sets = survey.sets;
   auto const image = codegen::write_image(machine, {});
-  motion::AxisLimits const limits{.velocity = fastest, .acceleration = 100, .transition_weight = 0};
+  machine::AxisDynamics axis;
+  axis.feed.velocity = axis.rapid.velocity = fastest / (motion::units_per_um * machine.cycle_time.seconds());
+  motion::PathDynamics dynamics;
+  dynamics.axes.assign(3, axis);
   Follower follower;
   motion::Simulation simulation(runtime_of(machine, image), runtime_of(machine, image),
-                                motion::PathLimits({limits, limits, limits}), false, follower);
+                                motion::PathLimits(dynamics), false, follower);
   try {
     interpret(bytes, simulation, refused);
   } catch (Enough const&) {

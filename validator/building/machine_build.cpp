@@ -1,10 +1,12 @@
 #include "validator/building/machine_build.hpp"
 
+#include "validator/views/axis_dynamics.hpp"
 #include "validator/views/channel.hpp"
 #include "validator/views/drive.hpp"
 #include "validator/views/fir_view.hpp"
 #include "validator/views/hsc_view.hpp"
 #include "validator/views/position_control_view.hpp"
+#include "validator/views/uncomputed.hpp"
 
 #include <algorithm>
 #include <string>
@@ -43,6 +45,8 @@ class AxisBuilder {
     result.velocity_limit = number("getriebe[].dynamik.vb_max");
     result.acceleration_limit = number("getriebe[].dynamik.a_max");
     result.transition_weight = number("getriebe[].dynamik.a_trans_weight");
+    result.dynamics = axis_dynamics(values_);
+    result.uncomputed = uncomputed_parameters(values_, sources_);
     add_filters(result);
     add_kernel(result);
     add_position_control(result);
@@ -229,6 +233,7 @@ BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> co
   BuiltMachine built;
   built.machine.name = loaded.name;
   built.machine.inch = loaded.inch;
+  built.machine.motion = loaded.motion;
   built.machine.cycle_time = loaded.cycle_time.value_or(design::CycleTime{});
   for (NamedList const& named : loaded.lists) {
     built.machine.lists.push_back({.name = named.name,
@@ -250,6 +255,8 @@ BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> co
     auto& channel = built.machine.groups.emplace_back();
     channel.name = group.name;
     channel.axes = group.axes;
+    channel.dynamics = group.dynamics;
+    channel.uncomputed = uncomputed_parameters(group, sources);
     channel.filter_sets = filter_sets_of(loaded, group, sources, built.not_compiled);
     for (auto const program : group.programs) channel.programs.push_back(loaded.programs[program].path);
   }

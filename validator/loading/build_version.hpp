@@ -32,6 +32,8 @@ inline constexpr BuildVersion fir_command{.major = 3, .minor = 1, .build = 3075,
 inline constexpr BuildVersion fir_quality{.major = 3, .minor = 1, .build = 3075, .patch = 4};
 inline constexpr BuildVersion position_control{.major = 3, .minor = 1, .build = 3077, .patch = 8};
 inline constexpr BuildVersion quotes{.major = 3, .minor = 1, .build = 3081, .patch = 0};
+/// The look-ahead buffer holds 120 blocks unless lists say otherwise; before, 70.
+inline constexpr BuildVersion longer_look_ahead{.major = 2, .minor = 11, .build = 2800, .patch = 0};
 inline constexpr BuildVersion spindle_filters{.major = 3, .minor = 0, .build = 0, .patch = 0};
 
 /// TIME_DELAY exists from V2.11.2013, V2.11.2803 and V3.00.3013, depending on the branch.

@@ -1,8 +1,8 @@
 #include "validator/loading/loader.hpp"
 
 #include "configuration/machine_file_name.hpp"
-#include "configuration/xml_list.hpp"
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_list.hpp"
+#include "configuration/xml/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
 #include "system/path.hpp"
@@ -111,6 +111,7 @@ std::optional<configuration::FileError> Loader::load(std::string const& path) {
   if (!machine_.cycle_time) machine_.cycle_time = options_.cycle_time_otherwise;
   machine_.build = options_.build;
   machine_.readings = options_.readings;
+  machine_.motion = options_.motion;
   machine_.is_beside_start_up_list = options_.is_beside_start_up_list;
   return std::nullopt;
 }
@@ -192,7 +193,29 @@ void Loader::add_default_group() {
   for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) {
     if (machine_.axes[axis].type != machine::AxisType::spindle) group.axes.push_back(axis);
   }
+  read_dynamics(group, std::nullopt);
   if (!group.axes.empty()) machine_.groups.push_back(std::move(group));
+}
+
+void Loader::read_dynamics(LoadedGroup& group, std::optional<std::uint32_t> number) {
+  configuration::ListedDynamics listed;
+  if (number && !machine_.start_up->is_project) {
+    SourceId const start_up = machine_.start_up->sources.front();
+    configuration::read_look_ahead(configuration::listed_values(sources_[start_up], start_up), *number,
+                                   listed.look_ahead);
+  }
+  for (std::optional<SourceId> const source : {default_channel_list_, group.channel_list}) {
+    if (!source) continue;
+    configuration::read_channel_dynamics(configuration::listed_values(sources_[*source], *source), listed);
+  }
+  bool const is_older = options_.build && *options_.build < builds::longer_look_ahead;
+  constexpr std::uint32_t blocks_of_older = 70;
+  group.dynamics = listed.dynamics;
+  group.dynamics.look_ahead_blocks = configuration::look_ahead_blocks(
+      listed.look_ahead, listed.dynamics.slope,
+      is_older ? blocks_of_older : machine::ChannelDynamics{}.look_ahead_blocks);
+  group.uncomputed = std::move(listed.uncomputed);
+  group.slope_place = listed.slope_place;
 }
 
 LoadedAxis& Loader::add_axis(std::size_t list, std::optional<machine::AxisType> type) {

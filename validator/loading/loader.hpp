@@ -35,6 +35,8 @@ class Loader {
   std::optional<configuration::FileError> load_text();
   void load_single(SourceId source);
   void add_default_group();
+  /// What the lists of a channel say about its motion; `number` is its index in the start-up list.
+  void read_dynamics(LoadedGroup& group, std::optional<std::uint32_t> number);
   void add_other_list(SourceId source, configuration::ListKind kind, std::string name);
 
   // machine_file_loading.cpp
@@ -43,6 +45,8 @@ class Loader {
   [[nodiscard]] std::optional<std::size_t> axis_named(configuration::LocatedText const& name) const;
   void add_group(configuration::MachineFileGroup const& named);
   void add_claims(configuration::MachineFileGantry const& gantry);
+  /// The channel list of a group; none where it cannot be read or is of another kind.
+  std::optional<SourceId> channel_list_named(configuration::LocatedText const& name);
   /// Index of the list, of the program; a file that is named several times is read once.
   std::optional<std::size_t> list_named(configuration::LocatedText const& name);
   std::optional<std::size_t> program_named(configuration::LocatedText const& name);
@@ -102,6 +106,7 @@ class Loader {
   std::map<std::string, SourceId> others_by_path_;  ///< lists of the other kinds
   std::vector<std::size_t> common_programs_;        ///< those that every group runs
   configuration::ChannelList default_channel_;      ///< what channels leave open
+  std::optional<SourceId> default_channel_list_;
 };
 
 /// True where the channel runs the program.

@@ -1,6 +1,7 @@
 // Reads and merges the lists of an input: the data that the rules check.
 #pragma once
 
+#include "configuration/channel_dynamics.hpp"
 #include "configuration/machine_file.hpp"
 #include "grammar/nc_program.hpp"
 #include "validator/loading/program_reading.hpp"
@@ -47,6 +48,10 @@ struct LoadedGroup {
   std::vector<std::size_t> axes;  ///< indices into LoadedMachine::axes
   std::vector<std::size_t>
       programs;  ///< indices into LoadedMachine::programs: its own and those of every group
+  machine::ChannelDynamics dynamics = {};
+  std::vector<configuration::UncomputedValue> uncomputed = {};
+  std::optional<SourceId> channel_list = {};  ///< none: the control's defaults count
+  std::optional<Place> slope_place = {};      ///< of the value of P-CHAN-00071
 };
 
 /// A gantry, from the lists and the machine file together.
@@ -86,6 +91,7 @@ struct LoadedMachine {
   std::optional<StartUp> start_up;         ///< the machine is that of a start-up list or of a project
   bool inch = false;                       ///< lengths in programs are inches
   design::Readings readings;               ///< how the control computes its filters
+  machine::MotionReadings motion;          ///< how it plans a path
   std::optional<BuildVersion> build;       ///< of the control, where the options name it
   std::deque<Finding> findings;            ///< AX4020: code, place and sentences; the engine adds the rest
   std::vector<std::string> files;

@@ -12,6 +12,9 @@ namespace axisc::validator::says {
 constexpr Sentence is_machine{"\"{file}\" is a machine file; machine files do not name one another",
                               "„{file}“ ist eine Maschinendatei; Maschinendateien nennen einander nicht"};
 
+constexpr Sentence no_channel_list{"\"{file}\" is no channel list: its parameters are {kind}",
+                                   "„{file}“ ist keine Kanalliste: sie enthält {kind}"};
+
 }  // namespace axisc::validator::says
 
 namespace axisc::validator {
@@ -69,6 +72,8 @@ void Loader::add_group(configuration::MachineFileGroup const& named) {
     std::optional<std::size_t> const program = program_named(name);
     if (program && !runs_in(group, *program)) group.programs.push_back(*program);
   }
+  if (named.channel_list) group.channel_list = channel_list_named(*named.channel_list);
+  read_dynamics(group, std::nullopt);
   std::sort(group.axes.begin(), group.axes.end());
   group.axes.erase(std::unique(group.axes.begin(), group.axes.end()), group.axes.end());
 }
@@ -98,6 +103,34 @@ std::optional<std::size_t> Loader::list_named(configuration::LocatedText const& 
     return *index;
   }
   missing(name, std::get<configuration::FileError>(list));
+  return std::nullopt;
+}
+
+std::optional<SourceId> Loader::channel_list_named(configuration::LocatedText const& name) {
+  using configuration::ListKind;
+  std::string const path = beside(machine_.path, name.text);
+  std::string const key = key_of(path);
+  auto known = others_by_path_.find(key);
+  if (known == others_by_path_.end()) {
+    auto bytes = read_text(path);
+    if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
+      missing(name, *error);
+      return std::nullopt;
+    }
+    machine_.files.push_back(path);
+    SourceId const source = add_text(path, std::get<std::string>(std::move(bytes)));
+    known = others_by_path_.emplace(key, source).first;
+    auto const kind = configuration::decided_kind(sources_[source]).value_or(ListKind::channel);
+    if (kind == ListKind::channel) {
+      std::string shown(is_absolute(name.text) ? file_name(name.text) : std::string_view(name.text));
+      add_other_list(source, kind, std::move(shown));
+    }
+  }
+  auto const kind = configuration::decided_kind(sources_[known->second]).value_or(ListKind::channel);
+  if (kind == ListKind::channel) return known->second;
+  refuse(name, says::no_channel_list);
+  machine_.findings.back().message.arguments.push_back(
+      {"kind", std::string(configuration::number_prefix(kind))});
   return std::nullopt;
 }
 

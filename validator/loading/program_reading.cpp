@@ -3,6 +3,7 @@
 #include "diagnostics/utf8.hpp"
 #include "grammar/axis_list.hpp"
 #include "grammar/program_excerpt.hpp"
+#include "schema/motion_words.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,6 +16,11 @@ namespace axisc::validator {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Words that say how a path is driven have rules of their own.
+bool drives_path(int function) {
+  return schema::find_motion_word(function) != nullptr;
+}
 
 /// Cuts pieces of any size into lines.
 class LineAssembler {
@@ -86,7 +92,7 @@ class ProgramReading {
     if (problem_) return *problem_;
     if (kept_ == ProgramText::whole) {
       SourceText text(name, std::move(whole_));
-      auto tree = grammar::parse_nc_program(text.bytes(), text.text_begin());
+      auto tree = grammar::parse_nc_program(text.bytes(), text.text_begin(), drives_path);
       return ReadProgram{.text = std::move(text), .tree = std::move(tree), .mark = content_.mark()};
     }
     reader_.finish();
@@ -135,7 +141,7 @@ class ProgramReading {
   LineAssembler lines_;
   bool is_utf8_ = true;
   bool has_mark_ = false;
-  grammar::ProgramExcerptReader reader_;
+  grammar::ProgramExcerptReader reader_{drives_path};
   std::optional<configuration::FileError> problem_;
 };
 

@@ -124,6 +124,7 @@ void Loader::load_channels(StartUp& start_up) {
   if (start_up.list.default_channel) {
     auto const source = source_found(start_up, *start_up.list.default_channel, ListKind::channel);
     if (source) default_channel_ = configuration::read_channel_list(sources_[*source], *source);
+    default_channel_list_ = source;
   }
   for (ListEntry const& entry : start_up.list.channels) {
     if (entry.file.text.empty() || !configuration::is_read(entry, start_up.list.channel_count)) continue;
@@ -147,6 +148,8 @@ void Loader::add_channel(StartUp& start_up, std::uint32_t number, SourceId sourc
   channel.group = machine_.groups.size();
   LoadedGroup& group = machine_.groups.emplace_back();
   if (channel.list.name) group.name = channel.list.name->text;
+  group.channel_list = source;
+  read_dynamics(group, number);
   for (ChannelAxis const& named : channel.list.axes) {
     auto const axis = axis_numbered(machine_, named.number->number);
     bool const is_new = axis && std::find(group.axes.begin(), group.axes.end(), *axis) == group.axes.end();

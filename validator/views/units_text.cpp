@@ -29,7 +29,7 @@ constexpr std::array<UnitRow, 24> table = {{
     {.raw = "mm/s^3", .factor = 1, .name = "mm/s³"},
     {.raw = "deg/s^3", .factor = 1, .name = "°/s³"},
     {.raw = "m/s^3", .factor = 1, .name = "m/s³"},
-    {.raw = "1e3 deg/min^3", .factor = 1e3, .name = "°/min³"},
+    {.raw = "1e3 deg/s^3", .factor = 1e3, .name = "°/s³"},
     {.raw = "0.1 %", .factor = 0.1, .name = "%"},
     {.raw = "0.01/s", .factor = 0.01, .name = "1/s"},
     {.raw = "0.1 um/rev", .factor = 1e-4, .name = "mm/rev"},

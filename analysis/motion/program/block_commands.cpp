@@ -1,17 +1,11 @@
 #include "analysis/motion/program/block_commands.hpp"
 
+#include "analysis/motion/program/dynamics/motion_commands.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
-
-namespace axisc::motion::says {
-
-constexpr Sentence cannot_simulate_slope{
-    "`{word}`: the simulation plans with TYPE=STEP, TYPE=TRAPEZ or TYPE=SIN2 alone",
-    "`{word}`: die Simulation plant nur mit TYPE=STEP, TYPE=TRAPEZ oder TYPE=SIN2"};
-
-}  // namespace axisc::motion::says
 
 namespace axisc::motion {
 namespace {
@@ -42,17 +36,12 @@ void take_other_command(std::size_t at, NcBlock const& block, ProgramState& stat
   if (kind == grammar::CommandKind::vibration_guard || kind == grammar::CommandKind::axis_exchange) {
     return state.problems.refuse(block, token);
   }
+  if (auto const* const word = motion_command_at(at, block)) {
+    return take_motion_command(*word, at, block, state);
+  }
   auto const command = written(at, block);
-  if (command == "#SLOPE[TYPE=TRAPEZ]" || command == "#SLOPE[TYPE=STEP]") {
-    state.modal.slope = Slope::trapezoid;
-  } else if (command == "#SLOPE[TYPE=SIN2]") {
-    state.modal.slope = Slope::sine_squared;
-  } else if (command.starts_with("#SLOPE")) {
-    state.problems.refuse(block, token, says::cannot_simulate_slope);
-  } else if (is_geometric(command)) {
+  if (is_geometric(command)) {
     state.problems.refuse(block, token);
-  } else if (command.starts_with("#CONTOURMODEON")) {
-    state.problems.refuse(block, token, says::cannot_simulate_rounding);
   } else {
     state.problems.ignore(block, token, command, says::not_simulated);
   }

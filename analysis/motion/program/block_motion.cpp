@@ -26,6 +26,13 @@ constexpr Sentence cannot_simulate_speed{
     "ein Vorschub je Umdrehung (G95) braucht eine Drehzahl: S vor oder in diesem Satz schreiben"};
 constexpr Sentence cannot_simulate_plane{"the channel has no axes for a circle in this plane",
                                          "der Kanal hat keine Achsen für einen Kreis in dieser Ebene"};
+constexpr Sentence cannot_simulate_stop{
+    "`{word}` stops at the end of the motion of its block, and this one has none (the control: 20003); "
+    "`G360` "
+    "stops at the end of every block",
+    "`{word}` hält am Ende der Bewegung seines Satzes, und dieser hat keine (die Steuerung: 20003); `G360` "
+    "hält "
+    "am Ende jedes Satzes"};
 constexpr Sentence cannot_simulate_no_arc{"`{word}` is only valid in blocks with G02 or G03",
                                           "`{word}` gilt nur in Sätzen mit G02 oder G03"};
 
@@ -92,7 +99,15 @@ void BlockMotion::move() {
   moves_ = false;
   moved_.reset();
   next_.feed = feed();
-  next_.slope = state_.modal.slope;
+  next_.dynamics = state_.modal.dynamics;
+  next_.rapid = state_.modal.motion == MotionKind::rapid;
+  next_.exact_stop =
+      stop_ || state_.modal.stops || (next_.rapid && state_.channel.dynamics.stops_after_rapid);
+  next_.brakes_late = state_.modal.brakes_late && !brakes_in_time_;
+  if (rounds_corner_ || state_.modal.rounds_corners) {
+    state_.rounding = std::max(state_.rounding.value_or(0), state_.modal.path_deviation);
+  }
+  has_moved_ = true;
   if (next_.label.empty()) next_.label = "L" + std::to_string(next_.line);
   bool const is_possible = make_arc();
   to_center_ = {};
@@ -100,6 +115,10 @@ void BlockMotion::move() {
   if (!is_possible) return;
   state_.modal.position = next_.end;
   state_.listener.motion(next_);
+}
+
+void BlockMotion::finish() {
+  if (stop_ && !has_moved_) state_.problems.refuse(block_, *stop_, says::cannot_simulate_stop);
 }
 
 /// Position units per cycle. A missing feed is refused once in a program.
@@ -116,7 +135,9 @@ double BlockMotion::feed() {
   }
   if (modal.feed_per_revolution) state_.problems.used();
   double const minutes = state_.channel.cycle_time.seconds() / 60;
-  return *modal.feed * (modal.feed_per_revolution ? *modal.speed : 1) * minutes;
+  // Too small for a double is still a motion.
+  double const feed = *modal.feed * (modal.feed_per_revolution ? *modal.speed : 1) * minutes;
+  return std::max(feed, std::numeric_limits<double>::min());
 }
 
 bool BlockMotion::asks_for_arc() const {

@@ -26,6 +26,14 @@ class BlockMotion {
   void take_feed(Token const& token, double value);
   /// S: counts with G95 only.
   void take_speed(Token const& token, double value);
+  /// G60: the path stops at the end of the block.
+  void stop_at_end(Token const& word) { stop_ = word; }
+  /// G09: the path has slowed down by the end of the block, whatever G901 says.
+  void brake_in_time() { brakes_in_time_ = true; }
+  /// G61: the control rounds the corner at the end of the block.
+  void round_corner() { rounds_corner_ = true; }
+  /// After the last word: a stop without motion is refused.
+  void finish();
   /// Words since the last move() give a destination.
   [[nodiscard]] bool moves() const { return moves_; }
   /// Passes the motion of the words so far to the listener.
@@ -45,6 +53,9 @@ class BlockMotion {
   std::optional<double> radius_;                    ///< R
   bool feed_named_ = false, speed_named_ = false;
   Token first_coordinate_, first_arc_word_;
+  std::optional<Token> stop_;
+  bool brakes_in_time_ = false, rounds_corner_ = false;
+  bool has_moved_ = false;
 };
 
 }  // namespace axisc::motion

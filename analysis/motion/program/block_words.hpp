@@ -6,6 +6,7 @@
 #include "analysis/motion/program/functions.hpp"
 #include "analysis/motion/program/nc_block.hpp"
 #include "analysis/motion/program/state.hpp"
+#include "schema/motion_words.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -37,7 +38,11 @@ class BlockWords {
   std::size_t take_assignment(std::size_t at);
   std::size_t take_call(std::size_t at);
   std::size_t take_command(std::size_t at);
-  void take_g(Token const& token, std::string_view digits);
+  std::size_t take_g(std::size_t at, std::string_view digits);
+  std::size_t take_motion_word(schema::MotionWord const& word, std::size_t at);
+  std::size_t take_value_of(schema::MotionWord const& word, std::size_t at);
+  void weigh(Token const& token, schema::Weighting const& weighting, std::size_t axis, double percent);
+  void set_look_ahead(unsigned functions);
   void take_m(Token const& token, std::string_view digits);
   void take_value(Token const& token, std::string_view name, double value);
   void refuse(Token const& token, SentenceRef text = says::cannot_simulate);
@@ -47,6 +52,7 @@ class BlockWords {
   BlockMotion motion_;
   BlockDwell dwell_;
   ChosenFunctions chosen_;
+  std::optional<schema::Weighting> weighting_;  ///< axis words are percentages from here on
   bool in_subprogram_;
   BlockOutcome outcome_;
 };

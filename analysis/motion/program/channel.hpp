@@ -2,6 +2,7 @@
 #pragma once
 
 #include "configuration/machine/filter_command.hpp"
+#include "configuration/machine/path_dynamics.hpp"
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_command.hpp"
 
@@ -35,6 +36,8 @@ struct ProgramChannel {
   bool inch = false;         ///< unless the program says otherwise
   design::CycleTime cycle_time;
   FilterCommandReader read_filter_command;
+  machine::ChannelDynamics dynamics = {};
+  bool sharp_corners = false;  ///< corners that the control rounds are followed as they are
   /// Blocks of loops and subprograms that are executed at most: an endless loop ends there.
   std::uint64_t most_repeated_blocks = 10'000'000;
 

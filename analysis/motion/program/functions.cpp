@@ -13,21 +13,6 @@ constexpr Sentence cannot_simulate_tool{
     "`{word}` cannot be simulated: the simulation knows no tools; it follows their centre (G40)",
     "`{word}` ist nicht simulierbar: die Simulation kennt keine Werkzeuge; sie folgt ihrer Mitte (G40)"};
 
-constexpr Sentence cannot_simulate_exact_stop{
-    "`{word}` cannot be simulated: such a stop lasts until the position lag is small enough (P-AXIS-00236), "
-    "and the lag is not simulated; `G04 F0` in a block of its own stops until the filters have settled",
-    "`{word}` ist nicht simulierbar: ein solcher Halt dauert, bis der Schleppabstand klein genug ist "
-    "(P-AXIS-00236), und der wird nicht simuliert; `G04 F0` in einem eigenen Satz hält, bis die Filter "
-    "eingeschwungen sind"};
-constexpr Sentence cannot_simulate_braking{
-    "`{word}` cannot be simulated: on this control it is not an exact stop, but says where the path has "
-    "slowed down to the next feed rate (with G901)",
-    "`{word}` ist nicht simulierbar: auf dieser Steuerung ist es kein Genauhalt, sondern bestimmt, wo die "
-    "Bahn auf den nächsten Vorschub gebremst hat (mit G901)"};
-constexpr Sentence cannot_simulate_foreign{
-    "`{word}` is not a word of this control; `G359` ends exact stops",
-    "`{word}` ist kein Wort dieser Steuerung; Genauhalte beendet `G359`"};
-
 }  // namespace axisc::motion::says
 
 namespace axisc::motion {
@@ -52,10 +37,6 @@ FunctionMeaning take_function(int number, ModalWords& modal) {
       return FunctionMeaning::nothing;
     case 4:
       return FunctionMeaning::dwell;
-    case 8:
-      return FunctionMeaning::ignored;
-    case 9:
-      return FunctionMeaning::braking;
     case 17:
       plane('X', 'Y');
       return FunctionMeaning::nothing;
@@ -69,8 +50,6 @@ FunctionMeaning take_function(int number, ModalWords& modal) {
     case 53:
     case 80:
     case 162:
-    case 260:
-    case 359:
       return FunctionMeaning::nothing;  // the functions that they switch off are not supported
     case 41:
     case 42:
@@ -84,14 +63,6 @@ FunctionMeaning take_function(int number, ModalWords& modal) {
     case 92:
     case 159:
       return FunctionMeaning::needs_offsets;
-    case 60:
-    case 360:
-      return FunctionMeaning::exact_stop;
-    case 61:
-    case 261:
-      return FunctionMeaning::rounds_corners;
-    case 64:
-      return FunctionMeaning::foreign;
     case 70:
     case 71:
       modal.inch = number == 70;
@@ -117,17 +88,8 @@ SentenceRef refusal_of(FunctionMeaning meaning) {
       return says::cannot_simulate_tool;
     case FunctionMeaning::needs_offsets:
       return says::cannot_simulate_offset;
-    case FunctionMeaning::exact_stop:
-      return says::cannot_simulate_exact_stop;
-    case FunctionMeaning::braking:
-      return says::cannot_simulate_braking;
-    case FunctionMeaning::rounds_corners:
-      return says::cannot_simulate_rounding;
-    case FunctionMeaning::foreign:
-      return says::cannot_simulate_foreign;
     case FunctionMeaning::nothing:
     case FunctionMeaning::dwell:
-    case FunctionMeaning::ignored:
     case FunctionMeaning::unknown:
       return says::cannot_simulate;
   }
@@ -141,7 +103,9 @@ bool ChosenFunctions::choose(int number) {
                                                                 {40, 41, 42, none},
                                                                 {70, 71, none, none},
                                                                 {90, 91, none, none},
-                                                                {94, 95, none, none}}};
+                                                                {94, 95, none, none},
+                                                                {8, 9, 193, 293},
+                                                                {115, 116, 117, none}}};
   auto const* const group = std::find_if(groups.begin(), groups.end(), [number](auto const& numbers) {
     return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
   });

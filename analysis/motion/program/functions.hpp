@@ -14,13 +14,8 @@ namespace axisc::motion {
 enum class FunctionMeaning : std::uint8_t {
   nothing,      ///< already in force, or switches off what the simulation does not have
   dwell,        ///< the block gives its duration
-  ignored,      ///< changes neither path nor filters
   needs_tools,  ///< refused, as are the following
   needs_offsets,
-  exact_stop,
-  braking,
-  rounds_corners,
-  foreign,  ///< not a word of this control
   unknown,
 };
 
@@ -36,7 +31,7 @@ class ChosenFunctions {
   [[nodiscard]] bool choose(int number);
 
  private:
-  static constexpr std::size_t group_count = 6;
+  static constexpr std::size_t group_count = 8;
   std::array<std::optional<int>, group_count> chosen_{};
 };
 

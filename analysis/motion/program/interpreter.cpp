@@ -12,6 +12,8 @@ ProgramInterpreter::ProgramInterpreter(ProgramChannel channel, PathListener& lis
       flow_(state_),
       reader_(*this, grammar::ProgramDetail::words) {
   state_.modal.inch = state_.channel.inch;
+  state_.modal.weighted_acceleration = state_.channel.dynamics.weighted_acceleration;
+  state_.modal.weighted_ramp = state_.channel.dynamics.weighted_ramp;
 }
 
 bool ProgramInterpreter::line(std::string_view text, std::uint32_t offset) {

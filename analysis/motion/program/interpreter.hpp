@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,9 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   bool line(std::string_view text, std::uint32_t offset);
   /// After the last line.
   void finish();
+  /// By how many mm the control rounds corners at most that were followed as they are; none where it rounds
+  /// none.
+  [[nodiscard]] std::optional<double> rounding() const { return state_.rounding; }
 
  private:
   void word(grammar::Word const& word) override;

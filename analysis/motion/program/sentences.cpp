@@ -11,11 +11,6 @@ constinit Sentence const cannot_simulate_here{"`{word}` cannot be simulated here
 constinit Sentence const cannot_simulate_beside_dwell{
     "`{word}` cannot be simulated here: a dwell (G04) needs a block of its own",
     "`{word}` ist hier nicht simulierbar: eine Verweilzeit (G04) braucht einen eigenen Satz"};
-constinit Sentence const cannot_simulate_rounding{
-    "`{word}` cannot be simulated: the control rounds the corners, by up to 1 mm where nothing else is "
-    "programmed",
-    "`{word}` ist nicht simulierbar: die Steuerung verschleift die Ecken, um bis zu 1 mm, wo nichts anderes "
-    "programmiert ist"};
 constinit Sentence const cannot_simulate_twice{"`{word}`: this block has a value for it already",
                                                "`{word}`: dieser Satz hat schon einen Wert dafür"};
 constinit Sentence const cannot_simulate_open{"`{word}` is not closed", "`{word}` wird nicht geschlossen"};

@@ -9,7 +9,6 @@ extern Sentence const not_simulated;
 extern Sentence const cannot_simulate;
 extern Sentence const cannot_simulate_here;
 extern Sentence const cannot_simulate_beside_dwell;
-extern Sentence const cannot_simulate_rounding;
 extern Sentence const cannot_simulate_twice;
 extern Sentence const cannot_simulate_open;
 extern Sentence const cannot_simulate_depth;

@@ -7,6 +7,8 @@
 #include "analysis/motion/program/problems.hpp"
 #include "analysis/motion/program/variables.hpp"
 
+#include <optional>
+
 namespace axisc::motion {
 
 struct ProgramState {
@@ -16,6 +18,8 @@ struct ProgramState {
   ProgramVariables variables{};
   ModalWords modal{};
   bool ended = false;
+  /// The control rounds corners of this program, which are followed as they are: by so many mm at most.
+  std::optional<double> rounding = std::nullopt;
 
   void end() {
     ended = true;

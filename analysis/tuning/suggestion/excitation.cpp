@@ -1,7 +1,5 @@
 #include "analysis/tuning/suggestion/excitation.hpp"
 
-#include "analysis/motion/velocity_profile.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,20 +7,42 @@
 namespace axisc::tuning {
 namespace {
 
-std::vector<double> ramp_of(Task const& task) {
+std::vector<motion::Phase> phases_of(Task const& task) {
   double const duration = task.velocity / task.acceleration;
-  motion::VelocityProfile const profile({.length = task.velocity * (duration + 2),
-                                         .velocity_in = 0,
-                                         .velocity_out = task.velocity,
-                                         .velocity_limit = task.velocity,
-                                         .acceleration = task.acceleration});
+  std::vector<motion::Phase> phases;
+  if (task.ramp) {
+    task.ramp->append_up(0, task.velocity, phases);
+  } else {
+    phases.push_back(
+        {.duration = duration, .length = task.velocity * duration / 2, .acceleration = task.acceleration});
+  }
+  phases.push_back(motion::Phase::steady(task.velocity, 2 * task.velocity));
+  return phases;
+}
+
+std::vector<double> ramp_of(Task const& task) {
+  auto const phases = phases_of(task);
+  std::size_t at = 0;
+  double begun = 0;
+  double passed = 0;
+  auto const way_at = [&](double t) {
+    while (at + 1 < phases.size() && t >= begun + phases[at].duration) {
+      begun += phases[at].duration;
+      passed += phases[at++].length;
+    }
+    return passed + phases[at].way_at(t - begun);
+  };
+  double duration = 0;
+  for (std::size_t i = 0; i + 1 < phases.size(); ++i) duration += phases[i].duration;
   auto const last = static_cast<int>(std::ceil(duration));
   std::vector<double> ramp;
   double velocity = 0;
+  double way = 0;
   for (int n = 0; n < last; ++n) {
-    double const next = profile.way_at(n + 1) - profile.way_at(n);
-    ramp.push_back(next - velocity);
-    velocity = next;
+    double const next = way_at(n + 1);
+    ramp.push_back(next - way - velocity);
+    velocity = next - way;
+    way = next;
   }
   if (task.velocity - velocity > 1e-9 * task.velocity) ramp.push_back(task.velocity - velocity);
   return ramp;

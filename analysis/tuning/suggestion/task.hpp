@@ -1,6 +1,7 @@
 // The task of a filter for an axis: which resonances it must not excite, and how far the contour may deviate.
 #pragma once
 
+#include "analysis/motion/planning/ramp.hpp"
 #include "configuration/machine/machine.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
@@ -33,6 +34,8 @@ struct Task {
   /// HSC: the control's build does not have FIR filters.
   machine::KernelFamily family = machine::KernelFamily::fir;
   design::Readings readings{};  ///< how the control computes its filters
+  /// How the path reaches the velocity with the channel's slope; none: with the constant acceleration.
+  std::optional<motion::Ramp> ramp = std::nullopt;
 };
 
 /// A setpoint chain: standard filters one after the other, then a kernel.

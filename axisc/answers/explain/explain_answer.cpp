@@ -149,6 +149,7 @@ Document explain_answer(ExplainQuestion const& question) {
   auto const& [word, all, of_axes] = question;
   auto const subject = all ? everything(of_axes) : explain_subject(catalogues, word);
   Document answer{.version = 2, .title = as_given(word), .blocks = {}};
+  if (subject.motion_word != nullptr) return word_answer(*subject.motion_word);
   Sections rules{.key = "rules", .items = {}};
   Sections parameters{.key = "parameters", .items = {}};
   for (auto const* const rule : subject.rules) rules.items.push_back(rule_section(*rule));

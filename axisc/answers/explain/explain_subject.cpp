@@ -123,6 +123,8 @@ std::vector<schema::Parameter const*> parameters_with(schema::Catalogue const& c
 
 ExplainSubject explain_subject(std::span<schema::Catalogue const> catalogues, std::string const& word) {
   ExplainSubject subject;
+  subject.motion_word = schema::find_motion_word(std::string_view(word));
+  if (subject.motion_word != nullptr) return subject;
   if (auto const* const rule = rule_of(word)) subject.rules.push_back(rule);
   for (auto const& rule : validator::rules()) {
     if (foretells(rule, word)) subject.foretelling.push_back(&rule);

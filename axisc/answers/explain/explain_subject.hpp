@@ -2,6 +2,7 @@
 #pragma once
 
 #include "schema/catalogue.hpp"
+#include "schema/motion_words.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <span>
@@ -13,6 +14,7 @@ namespace axisc {
 struct ExplainSubject {
   std::vector<validator::Rule const*> rules;
   std::vector<validator::Rule const*> foretelling;  ///< the word is a message of the control that they name
+  schema::MotionWord const* motion_word = nullptr;  ///< of an NC program
   std::vector<schema::Parameter const*> parameters;
   bool is_searched = false;  ///< `parameters` are those that contain the word
 };

@@ -141,7 +141,8 @@ Sections file_axes(LoadedMachine const& machine, SourceSet const& sources) {
   return entries("axes", std::move(axes));
 }
 
-Sections file_groups(LoadedMachine const& machine) {
+Sections file_groups(LoadedMachine const& machine, SourceSet const& sources) {
+  bool const is_project = machine.start_up && machine.start_up->is_project;
   std::vector<std::vector<Field>> groups;
   for (auto const& group : machine.groups) {
     auto& fields = groups.emplace_back();
@@ -150,6 +151,10 @@ Sections file_groups(LoadedMachine const& machine) {
     Names programs;
     for (auto const program : group.programs) programs.push_back(machine.programs[program].path);
     if (!programs.empty()) fields.push_back(data("programs", std::move(programs)));
+    // A project has its lists inside.
+    if (group.channel_list && !is_project) {
+      fields.push_back(data("channel_list", sources[*group.channel_list].name()));
+    }
   }
   return entries("groups", std::move(groups));
 }
@@ -227,7 +232,7 @@ Document machine_answer(LoadedMachine const& machine, SourceSet const& sources) 
       .version = 0,
       .title = Words(says::machine, {{"machine", machine.name}}),
       .blocks = {facts_of(machine, sources), axes_table(machine, sources), channels_table(machine),
-                 lacks_table(machine, sources), file_axes(machine, sources), file_groups(machine)},
+                 lacks_table(machine, sources), file_axes(machine, sources), file_groups(machine, sources)},
       .csv_table = "understood_axes"};
   auto& blocks = answer.blocks;
   if (!machine.gantry_claims.empty()) blocks.emplace_back(file_gantries(machine));

@@ -4,6 +4,7 @@
 #include "analysis/motion/closed_loop.hpp"
 #include "analysis/motion/simulation.hpp"
 #include "axisc/environment/text_sink.hpp"
+#include "configuration/machine/path_dynamics.hpp"
 #include "design/units.hpp"
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct SimulatedPath {
   std::string group;
   std::vector<std::string> axes;
   design::CycleTime cycle_time;
+  machine::ChannelDynamics dynamics = {};
 };
 
 /// Time, block, path velocity, per axis setpoint, filtered setpoint and axis error, contour deviation.

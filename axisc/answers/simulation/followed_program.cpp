@@ -25,6 +25,10 @@ constexpr Sentence tolerance_exceeded{
     "AX_DEV is not kept in this pass: axis error {error} µm, tolerance {tolerance} µm",
     "AX_DEV wird in diesem Durchgang nicht eingehalten: Achsfehler {error} µm, Toleranz {tolerance} µm"};
 
+constexpr Sentence not_computed{
+    "the simulation does not compute `{parameter}` ({number}): times and velocities are those without it",
+    "die Simulation rechnet `{parameter}` ({number}) nicht: Zeiten und Geschwindigkeiten sind die ohne ihn"};
+
 constexpr Sentence not_simulated_first{"only its first occurrence is named",
                                        "nur das erste Vorkommen wird genannt"};
 
@@ -36,6 +40,8 @@ constexpr Sentence cannot_simulate_help{"docs/nc-programs.md says what is suppor
 namespace axisc {
 
 namespace {
+
+constexpr Code not_simulated_code{9007};
 
 /// Records which kernels the program needs.
 class CommandCollector final : public motion::PathListener {
@@ -54,17 +60,11 @@ class CommandCollector final : public motion::PathListener {
   machine::FilterParameters current_;
 };
 
-/// vb_max [µm/s], a_max [mm/s²] and a_trans_weight [0.1 %] per NC cycle.
 motion::PathLimits limits_of(machine::Machine const& machine, machine::MachineGroup const& group) {
-  double const T = machine.cycle_time.seconds();
-  std::vector<motion::AxisLimits> limits;
-  for (auto const index : group.axes) {
-    auto const& axis = machine.axes[index];
-    limits.push_back({.velocity = axis.velocity_limit * motion::units_per_um * T,
-                      .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T,
-                      .transition_weight = axis.transition_weight / 1000});
-  }
-  return motion::PathLimits(std::move(limits));
+  motion::PathDynamics dynamics{
+      .axes = {}, .channel = group.dynamics, .readings = machine.motion, .cycle_time = machine.cycle_time};
+  for (auto const index : group.axes) dynamics.axes.push_back(machine.axes[index].dynamics);
+  return motion::PathLimits(std::move(dynamics));
 }
 
 /// A program is never held completely: a source holds only the line in question, with its line number.
@@ -81,6 +81,32 @@ void pass_on(motion::ProgramProblem problem, std::string const& path, TakeProble
     problem.finding.help.push_back({.sentence = help, .arguments = {}});
   }
   take(problem.finding, sources);
+}
+
+/// Names what the lists of the group say and no plan takes into account.
+void tell_uncomputed(machine::Machine const& machine, machine::MachineGroup const& group,
+                     TakeProblem const& take) {
+  std::vector<machine::UncomputedParameter> uncomputed = group.uncomputed;
+  for (auto const axis : group.axes) {
+    auto const& own = machine.axes[axis].uncomputed;
+    uncomputed.insert(uncomputed.end(), own.begin(), own.end());
+  }
+  for (auto const& parameter : uncomputed) {
+    SourceSet sources;
+    std::string const padded(parameter.line - 1, '\n');
+    auto const begin = static_cast<std::uint32_t>(padded.size() + parameter.line_text.find(parameter.name));
+    auto const source = sources.add(SourceText(parameter.file, padded + parameter.line_text));
+    Finding finding;
+    finding.code = not_simulated_code;
+    finding.severity = Severity::warning;
+    finding.name = "not-simulated";
+    finding.message = {.sentence = says::not_computed,
+                       .arguments = {{"parameter", parameter.name}, {"number", parameter.number}}};
+    finding.place =
+        Place{.source = source,
+              .span = {.begin = begin, .end = begin + static_cast<std::uint32_t>(parameter.name.size())}};
+    take(finding, sources);
+  }
 }
 
 /// Reads the program once without moving anything: reports its mistakes and finds its #FILTER commands.
@@ -129,6 +155,7 @@ motion::ProgramChannel channel_of(machine::Machine const& machine, machine::Mach
   channel.inch = machine.inch;
   channel.cycle_time = machine.cycle_time;
   channel.read_filter_command = filter_command_reader(machine, group);
+  channel.dynamics = group.dynamics;
   for (auto const axis : group.axes) {
     channel.axes.push_back(machine.axes[axis].name);
     channel.rotary.push_back(machine.axes[axis].type != machine::AxisType::translatory);
@@ -139,7 +166,9 @@ motion::ProgramChannel channel_of(machine::Machine const& machine, machine::Mach
 bool survey_program(ProgramLines& program, ProgramRequest const& request, machine::Machine& machine,
                     std::size_t group, TakeProblem const& take) {
   CommandCollector collector;
-  auto const channel = channel_of(machine, machine.groups[group]);
+  auto channel = channel_of(machine, machine.groups[group]);
+  channel.sharp_corners = request.sharp_corners;
+  tell_uncomputed(machine, machine.groups[group], take);
   if (!survey(program, request, channel, collector, take)) return false;
   auto& sets = machine.groups[group].filter_sets;
   for (auto const& parameters : collector.sets) {
@@ -152,7 +181,8 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
                                machine::Machine const& machine, std::size_t index,
                                motion::SimulationListener& listener) {
   auto const& group = machine.groups[index];
-  auto const channel = channel_of(machine, group);
+  auto channel = channel_of(machine, group);
+  channel.sharp_corners = request.sharp_corners;
   auto const image = image_of(machine, request.machine_path);
   double const seconds = machine.cycle_time.seconds();
   double share = 0;
@@ -175,7 +205,7 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
   });
   interpreter.finish();
   if (simulation.failure()) fail(*simulation.failure(), request, machine, group);
-  return {.blocks = simulation.blocks(), .cycles = simulation.cycles()};
+  return {.blocks = simulation.blocks(), .cycles = simulation.cycles(), .rounding = interpreter.rounding()};
 }
 
 Failure not_kept(motion::PassSummary const& pass, std::string const& path) {

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace axisc {
@@ -18,6 +19,7 @@ struct ProgramRequest {
   std::string machine_path;
   std::string program_path;
   bool constant_velocity = false;
+  bool sharp_corners = false;  ///< corners that the control rounds are followed as they are
   std::uint64_t most_cycles = motion::SimulationLimits{}.most_cycles;
   /// Called now and then: the share of the program that has been read, and the seconds of machine time.
   std::function<void(double share, double seconds)> working = {};
@@ -37,6 +39,7 @@ using TakeProblem = std::function<void(Finding const& problem, SourceSet const& 
 
 struct FollowedProgram {
   std::uint64_t blocks = 0, cycles = 0;
+  std::optional<double> rounding = std::nullopt;  ///< mm by which the control rounds corners at most
 };
 
 /// Follows a program that survey_program() accepted. Failure where the runtime refuses a step or a command.

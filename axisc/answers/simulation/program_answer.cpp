@@ -3,7 +3,9 @@
 #include "analysis/motion/point.hpp"
 #include "axisc/answers/labels.hpp"
 
+#include <array>
 #include <iterator>
+#include <string_view>
 
 namespace axisc::says {
 
@@ -17,6 +19,18 @@ constexpr Sentence axis_error{"axis error", "Achsfehler"};
 constexpr Sentence lag{"lag", "Nachlauf"};
 constexpr Sentence filters{"filters", "Filter"};
 constexpr Sentence start{"as at start-up", "wie beim Hochlauf"};
+constexpr Sentence from_channel_list{
+    "slope at the beginning: {slope}, by the channel list; look-ahead: {blocks} blocks",
+    "Slope am Anfang: {slope}, nach der Kanalliste; Vorausschau: {blocks} Sätze"};
+constexpr Sentence from_defaults{
+    "slope at the beginning: {slope}, look-ahead: {blocks} blocks: the defaults of the control, because no "
+    "channel "
+    "list is named",
+    "Slope am Anfang: {slope}, Vorausschau: {blocks} Sätze: die Standardwerte der Steuerung, weil keine "
+    "Kanalliste genannt ist"};
+constexpr Sentence rounded{
+    "corners are followed as they are; the control rounds them, by {bound} at most",
+    "Ecken werden verfolgt, wie sie sind; die Steuerung verschleift sie, um höchstens {bound}"};
 constexpr Sentence exceeds{"{command}: AX_DEV is not kept", "{command}: AX_DEV wird nicht eingehalten"};
 
 }  // namespace axisc::says
@@ -27,6 +41,11 @@ namespace {
 
 using motion::units_per_um;
 using namespace presentation;
+
+std::string_view name_of(machine::Slope slope) {
+  constexpr std::array<std::string_view, 4> names = {"STEP", "TRAPEZ", "SIN2", "HSC"};
+  return names.at(static_cast<std::size_t>(slope));
+}
 
 Quantity micrometres(double units, int decimals) {
   return fixed(units / units_per_um, Unit::micrometre, decimals);
@@ -42,6 +61,18 @@ Table table_with(std::string const& key, SentenceRef label, SimulatedPath const&
   columns.push_back(column("max_contour_deviation_um", labels::deviation, Unit::micrometre));
   columns.push_back(column("max_lag_um", says::lag, Unit::micrometre));
   return table;
+}
+
+std::string_view symbol_of(machine::Slope slope) {
+  constexpr std::array<std::string_view, 4> symbols = {"STEP", "TRAPEZ", "SIN2", "HSC"};
+  return symbols.at(static_cast<std::size_t>(slope));
+}
+
+std::string_view symbol_of(motion::LimitedBy cause) {
+  constexpr std::array<std::string_view, 10> symbols = {"feed",      "axis",         "curve",   "curve-jerk",
+                                                        "corner",    "tangent-jerk", "braking", "look-ahead",
+                                                        "tolerance", "stop"};
+  return symbols.at(static_cast<std::size_t>(cause));
 }
 
 /// The command that a pass begins with, and whether it exceeds its tolerance.
@@ -78,7 +109,15 @@ ProgramSummary::ProgramSummary(SimulatedPath const& path)
     : path_(path),
       blocks_(table_with("block", says::block, path)),
       passes_(table_with("pass", says::pass, path)) {
+  for (auto& one : data_columns({"velocity_in_mm_s", "velocity_peak_mm_s", "velocity_out_mm_s", "slope",
+                                 "limited_by", "corner_step_share"})) {
+    blocks_.columns.push_back(std::move(one));
+  }
   passes_.key = "passes";
+  passes_.columns.push_back(data_column("time_with_trapez_instead_of_hsc_s"));
+  for (char const* const key : {"max_acceleration_mm_s2", "max_jerk_mm_s3"}) {
+    for (auto const& axis : path.axes) passes_.columns.push_back(data_column(key, axis));
+  }
   for (auto& one : data_columns({"command", "blocks", "tolerance_um", "tolerance_kept"})) {
     passes_.columns.push_back(std::move(one));
   }
@@ -103,7 +142,11 @@ void ProgramSummary::add(Table& table, Row row, motion::PathSummary const& summa
 }
 
 void ProgramSummary::block(motion::BlockSummary const& summary) {
-  add(blocks_, {summary.label, summary.line}, summary, {});
+  double const per_second = 1 / (motion::units_per_mm * path_.cycle_time.seconds());
+  auto const& motion = summary.motion;
+  add(blocks_, {summary.label, summary.line}, summary,
+      {motion.velocity_in * per_second, motion.velocity_peak * per_second, motion.velocity_out * per_second,
+       symbol_of(summary.slope), symbol_of(motion.limited_by), summary.corner_step_share});
 }
 
 void ProgramSummary::pass(motion::PassSummary const& summary) {
@@ -113,24 +156,48 @@ void ProgramSummary::pass(motion::PassSummary const& summary) {
     tolerance = *summary.tolerance / units_per_um;
     kept = summary.keeps_tolerance();
   }
-  add(passes_, {passes_.rows.size() + 1, summary.line == 0 ? Value() : summary.line}, summary,
-      {summary.command.empty() ? Value() : summary.command, summary.blocks, tolerance, kept,
-       filters_of(summary)});
+  double const T = path_.cycle_time.seconds();
+  Row rest{summary.trapez_cycles ? Value(*summary.trapez_cycles * T) : Value()};
+  for (std::size_t i = 0; i < path_.axes.size(); ++i) {
+    rest.emplace_back(summary.peaks.acceleration[i] / (motion::units_per_mm * T * T));
+  }
+  for (std::size_t i = 0; i < path_.axes.size(); ++i) {
+    double const jerk = summary.peaks.jerk[i] / (motion::units_per_mm * T * T * T);
+    rest.push_back(summary.peaks.jumps ? Value() : Value(jerk));
+  }
+  for (auto const& value : Row{summary.command.empty() ? Value() : summary.command, summary.blocks, tolerance,
+                               kept, filters_of(summary)}) {
+    rest.push_back(value);
+  }
+  add(passes_, {passes_.rows.size() + 1, summary.line == 0 ? Value() : summary.line}, summary, rest);
 }
 
 Document ProgramSummary::answer(FollowedProgram const& followed) && {
   auto const cycle_time = exact(path_.cycle_time.microseconds(), Unit::microsecond);
   auto const time = fixed(static_cast<double>(followed.cycles) * path_.cycle_time.seconds(), Unit::second, 3);
-  return {.title = Words(says::title, {{"blocks", followed.blocks},
-                                       {"cycles", followed.cycles},
-                                       {"cycle_time", cycle_time},
-                                       {"time", time}}),
-          .blocks = {Facts{{data("cycle_time_us", cycle_time), data("group", path_.group),
-                            data("axes", Names(path_.axes)), data("block_count", followed.blocks),
-                            data("pass_count", passes_.rows.size() + passes_.left_out),
-                            data("cycles", followed.cycles), data("time_s", time)}},
-                     std::move(blocks_),
-                     Section{.key = {}, .title = says::passes, .blocks = {std::move(passes_)}}}};
+  auto const& dynamics = path_.dynamics;
+  auto const slope = name_of(dynamics.slope);
+  Document answer{
+      .title = Words(says::title, {{"blocks", followed.blocks},
+                                   {"cycles", followed.cycles},
+                                   {"cycle_time", cycle_time},
+                                   {"time", time}}),
+      .blocks = {Facts{{data("cycle_time_us", cycle_time), data("group", path_.group),
+                        data("axes", Names(path_.axes)), data("block_count", followed.blocks),
+                        data("pass_count", passes_.rows.size() + passes_.left_out),
+                        data("cycles", followed.cycles), data("time_s", time), data("slope_at_start", slope),
+                        data("look_ahead_blocks", dynamics.look_ahead_blocks),
+                        data("channel_list", dynamics.is_from_list)}},
+                 Paragraph{Words(dynamics.is_from_list ? says::from_channel_list : says::from_defaults,
+                                 {{"slope", slope}, {"blocks", dynamics.look_ahead_blocks}})}}};
+  if (followed.rounding) {
+    auto const bound = exact(*followed.rounding, Unit::millimetre);
+    answer.blocks.emplace_back(Facts{{data("corners_rounded_by_up_to_mm", bound)}});
+    answer.blocks.emplace_back(Paragraph{Words(says::rounded, {{"bound", bound}})});
+  }
+  answer.blocks.emplace_back(std::move(blocks_));
+  answer.blocks.emplace_back(Section{.key = {}, .title = says::passes, .blocks = {std::move(passes_)}});
+  return answer;
 }
 
 SimulatedProgram simulate_answer(ProgramLines& program, ProgramRequest const& request,

@@ -1,5 +1,6 @@
 #include "axisc/answers/suggestion/suggested.hpp"
 
+#include "analysis/motion/path_block.hpp"
 #include "axisc/answers/execution/group_chains.hpp"
 #include "axisc/answers/suggestion/resonance_words.hpp"
 #include "axisc/checking/compilable.hpp"
@@ -53,6 +54,18 @@ std::size_t group_of(machine::Machine const& machine, std::size_t axis) {
   throw Failure({.sentence = says::no_channel, .arguments = {{"axis", machine.axes[axis].name}}});
 }
 
+/// How the axis reaches the feed alone, with the slope of its channel.
+motion::Ramp ramp_of(machine::Machine const& machine, std::size_t axis) {
+  auto const& group = machine.groups[group_of(machine, axis)];
+  motion::PathLimits limits({.axes = {machine.axes[axis].dynamics},
+                             .channel = group.dynamics,
+                             .readings = {},
+                             .cycle_time = machine.cycle_time});
+  motion::ProgrammedBlock block;
+  block.end[0] = 1;
+  return limits.block(block, {}, 1, block.feed, false).up;
+}
+
 /// Without resonances.
 tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& subject,
                      std::optional<Message>& remark) {
@@ -80,7 +93,8 @@ tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& s
           .radius = question.radius_mm * motion::units_per_mm,
           .goal = question.goal,
           .family = knows_fir ? machine::KernelFamily::fir : machine::KernelFamily::hsc,
-          .readings = subject.loaded.readings};
+          .readings = subject.loaded.readings,
+          .ramp = ramp_of(machine, subject.axis)};
 }
 
 Message nothing_helps(NoSuggestion const& none, SuggestQuestion const& question) {

@@ -93,6 +93,30 @@ std::vector<motion::ChainAnswer> answers_of(machine::Machine const& machine) {
   return std::get<std::vector<motion::ChainAnswer>>(std::move(answers));
 }
 
+machine::AxisDynamics step_axis(double velocity, double acceleration) {
+  machine::AxisDynamics axis;
+  for (auto* const motion : {&axis.feed, &axis.rapid}) {
+    motion->velocity = velocity;
+    for (auto* const stages : {&motion->step_up, &motion->step_down}) {
+      stages->first = stages->second = acceleration;
+    }
+    motion->up.acceleration = motion->down.acceleration = acceleration;
+  }
+  axis.highest_acceleration = acceleration;
+  return axis;
+}
+
+motion::PathDynamics path_of(machine::Machine const& machine) {
+  motion::PathDynamics path;
+  path.cycle_time = machine.cycle_time;
+  path.channel = machine.groups.at(0).dynamics;
+  for (auto const& axis : machine.axes) {
+    path.axes.push_back(step_axis(axis.velocity_limit, axis.acceleration_limit));
+    path.axes.back().acceleration_transition_weight = axis.transition_weight;
+  }
+  return path;
+}
+
 double per_cycle(double feed_mm_per_min, design::CycleTime cycle_time) {
   return feed_mm_per_min / 60 * cycle_time.seconds() * motion::units_per_mm;
 }
@@ -113,20 +137,15 @@ Recorded simulated(machine::Machine machine, std::string const& program, bool co
   motion::ProgramChannel channel;
   channel.cycle_time = machine.cycle_time;
   channel.read_filter_command = filter_command_reader(machine.cycle_time);
-  std::vector<motion::AxisLimits> limits;
-  double const T = machine.cycle_time.seconds();
   for (auto const& axis : machine.axes) {
     channel.axes.push_back(axis.name);
     channel.rotary.push_back(false);
-    limits.push_back({.velocity = axis.velocity_limit * 10 * T,
-                      .acceleration = axis.acceleration_limit * 1e4 * T * T,
-                      .transition_weight = axis.transition_weight / 1000});
   }
   Ignore first(machine.groups[0]);
   interpret(channel, first, program);
   Recorded recorded;
-  motion::Simulation simulation(runtime_of(machine), runtime_of(machine), motion::PathLimits(limits),
-                                constant_velocity, recorded);
+  motion::Simulation simulation(runtime_of(machine), runtime_of(machine),
+                                motion::PathLimits(path_of(machine)), constant_velocity, recorded);
   interpret(channel, simulation, program);
   CHECK_FALSE(simulation.failure().has_value());
   return recorded;

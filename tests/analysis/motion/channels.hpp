@@ -22,6 +22,12 @@ namespace axisc::test {
 [[nodiscard]] motion::GroupRuntime runtime_of(machine::Machine const& machine);
 [[nodiscard]] std::vector<motion::ChainAnswer> answers_of(machine::Machine const& machine);
 
+/// An axis that moves with STEP, in feed blocks as in G00: µm/s, mm/s².
+[[nodiscard]] machine::AxisDynamics step_axis(double velocity, double acceleration);
+/// Each axis with the same acceleration for all slopes, and its transition weight; the slope is the
+/// channel's.
+[[nodiscard]] motion::PathDynamics path_of(machine::Machine const& machine);
+
 /// mm/min as units per cycle.
 [[nodiscard]] double per_cycle(double feed_mm_per_min, design::CycleTime cycle_time = {});
 

@@ -199,22 +199,27 @@ TEST_CASE("a stop leaves no deviation at a corner") {
   CHECK(run(40, "G01 X10 F6000\nG04 0\nY10\n").passes.at(0).deviation < 1e-6);
 }
 
-TEST_CASE("a ramp with sin² takes twice as long for the same largest acceleration") {
-  // 100 mm at 100 mm/s: L/v + v/a = 1010 cycles, L/v + 2 v/a = 1020.
+TEST_CASE("a ramp with sin² takes as long as one with constant jerk") {
+  // 100 mm at 100 mm/s and 10 m/s²: L/v + v/a = 1010 cycles with STEP. Ramps of 50 ms: 100 mm/s are less than
+  // a t̄/2 = 500 mm/s, so q = √(100/500), both ramps of a change take q 50 ms, and L/v + q 100 ms = 1044.72.
   CHECK(run(0, "G01 X100 F6000\n").blocks.at(0).cycles == Approx(1010));
   CHECK(run(0, "#SLOPE [TYPE=STEP]\nG01 X100 F6000\n").blocks.at(0).cycles == Approx(1010));
+  double const ramp = 50 * std::sqrt(0.2);
+  CHECK(run(0, "#SLOPE [TYPE=TRAPEZ]\nG01 X100 F6000\n").blocks.at(0).cycles == Approx(1000 + 2 * ramp));
   auto const smooth = run(0, "#SLOPE [TYPE=SIN2]\nG01 X100 F6000\n");
-  CHECK(smooth.blocks.at(0).cycles == Approx(1020));
-  // After a quarter of the first ramp of 20 cycles: v = 1000 (1/4 - 1/2π), s = 1000 · 20 (1/32 - 1/4π²).
-  CHECK(smooth.cycles.at(4).point.point.velocity == Approx(1000 * (0.25 - 0.5 / pi)));
-  CHECK(smooth.cycles.at(4).point.point.nominal[0] == Approx(2e4 * (1 / 32.0 - 1 / (4 * pi * pi))));
+  CHECK(smooth.blocks.at(0).cycles == Approx(1000 + 2 * ramp));
+  // p = q a = 44.72 units per cycle², and after t of the rise  v = p (t/2 - T/2π sin(πt/T)).
+  double const peak = 100 * std::sqrt(0.2);
+  double const t = 5;
+  double const velocity = peak * (t / 2 - ramp / (2 * pi) * std::sin(pi * t / ramp));
+  CHECK(smooth.cycles.at(4).point.point.velocity == Approx(velocity));
   double largest = 0;
   for (std::size_t i = 1; i < smooth.cycles.size(); ++i) {
     largest = std::max(
         largest, std::abs(smooth.cycles[i].point.point.velocity - smooth.cycles[i - 1].point.point.velocity));
   }
-  CHECK(largest <= 100);
-  CHECK(largest > 98);
+  CHECK(largest <= peak);
+  CHECK(largest > 0.98 * peak);
 }
 
 }  // namespace axisc::motion

@@ -169,8 +169,9 @@ Followed follow(std::vector<Leg> const& contour, std::vector<Place> const& setpo
       double const from = leg == at.leg ? at.share : 0;
       double const to = leg == next.leg ? next.share : 1;
       if (from == to && leg == at.leg && at.leg == next.leg) continue;
-      for (int i = 0; i <= points_between + 1; ++i)
+      for (int i = 0; i <= points_between + 1; ++i) {
         look(leg, from + (to - from) * i / (points_between + 1), n);
+      }
     }
     at = next;
   }

@@ -89,17 +89,17 @@ TEST_CASE("what is ignored is named once, what is refused each time") {
       "G01 X1 F60 S1000 M03\n"
       "X2 S2000 M3 Z5\n"
       "G08 X3\n"
-      "#SLOPE [TYPE=HSC]\n"
-      "#CONTOUR MODE OFF\n"
+      "#SLOPE [TYPE=ROUND]\n"
+      "#TIMER START\n"
       "G02 X3\n"
       "P10=5+\n"
       "LL SUB\n"
       "$SWITCH V.P.A\n"
       "XP1\n"
       "#VIB GUARD ON\n");
-  CHECK(found.problems == Lines{"1:18 AX9007 M03", "2:13 AX9007 Z5", "3:1 AX9007 G08", "4:1 AX9008 #SLOPE",
-                                "5:1 AX9007 #CONTOUR", "6:5 AX9008 X3", "7:6 AX9008 +", "8:1 AX9008 LL",
-                                "9:1 AX9008 $SWITCH", "10:1 AX9008 XP1", "11:1 AX9008 #VIB GUARD"});
+  CHECK(found.problems == Lines{"1:18 AX9007 M03", "2:13 AX9007 Z5", "4:1 AX9008 #SLOPE", "5:1 AX9007 #TIMER",
+                                "6:5 AX9008 X3", "7:6 AX9008 +", "8:1 AX9008 LL", "9:1 AX9008 $SWITCH",
+                                "10:1 AX9008 XP1", "11:1 AX9008 #VIB GUARD"});
 }
 
 TEST_CASE("what would change the path is refused by its name") {
@@ -135,18 +135,6 @@ TEST_CASE("a word that could only count by leaving out another one is refused") 
   CHECK(interpret("G17 G18 G01 F60 X1\nG70 G71\nG94 G95\n").problems ==
         Lines{"1:5 AX9008 G18", "2:5 AX9008 G71", "3:5 AX9008 G95"});
   CHECK(interpret("G01 G01 G90 G71 G94 G17 F60 X1\nG00 X2\nG01 X3\n").problems.empty());
-}
-
-TEST_CASE("words that mean something else on this control, and what it rounds") {
-  // TF5200: G60 stops in one block, G360 from here on, both until the position lag is small; G09 is no stop;
-  // G64 does not exist; G61, G261 and #CONTOUR MODE ON put polynomials into the corners.
-  auto const found = interpret("G01 F60 X1 G09\nG60 X2\nG360\nG64\nG61 X3\nG261\n#CONTOUR MODE ON\n");
-  CHECK(found.problems == Lines{"1:12 AX9008 G09", "2:1 AX9008 G60", "3:1 AX9008 G360", "4:1 AX9008 G64",
-                                "5:1 AX9008 G61", "6:1 AX9008 G261", "7:1 AX9008 #CONTOUR"});
-  CHECK(interpret("#CONTOUR MODE ON [DEV PATH_DEV=0.1]\n").problems == Lines{"1:1 AX9008 #CONTOUR"});
-  // They are off already, or only prepare what G61 would do.
-  CHECK(interpret("G359 G260 G01 F60 X1\n").problems.empty());
-  CHECK(interpret("#CONTOUR MODE [DEV PATH_DEV=0.1]\n").problems == Lines{"1:1 AX9007 #CONTOUR"});
 }
 
 TEST_CASE("a spindle speed counts with G95, and only otherwise it is ignored") {

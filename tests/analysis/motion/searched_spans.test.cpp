@@ -13,7 +13,7 @@ namespace {
 constexpr double before = 100;
 constexpr double after = 50;
 
-/// A circle of radius 1000 from rest to rest.
+/// A circle of radius 1000 at one velocity.
 TimedPiece circle(double velocity) {
   auto const arc = std::make_shared<Arc>();
   arc->radius = 1000;
@@ -22,8 +22,8 @@ TimedPiece circle(double velocity) {
   TimedPiece piece;
   piece.path = Segment({}, {}, arc);
   piece.length = arc->length;
-  piece.profile = VelocityProfile({.length = arc->length, .velocity_limit = velocity, .acceleration = 0.1});
-  piece.duration = piece.profile.duration();
+  piece.phase = Phase::steady(velocity, arc->length);
+  piece.duration = piece.phase.duration;
   return piece;
 }
 
@@ -55,9 +55,9 @@ TEST_CASE("a search looks at both ends of a line that is slow") {
   TimedPiece piece;
   piece.length = 1e6;
   piece.path = Segment({}, {1});
-  piece.profile = VelocityProfile({.length = 1e6, .velocity_limit = 1, .acceleration = 0.1});
-  piece.duration = piece.profile.duration();
-  CHECK(searched_cycles(piece) == Approx(20 + 3 * (before + after)));
+  piece.phase = Phase::steady(1, 1e6);
+  piece.duration = piece.phase.duration;
+  CHECK(searched_cycles(piece) == Approx(3 * (before + after)));
 }
 
 TEST_CASE("a search that begins and ends within a steady stretch looks at its ends") {

@@ -169,10 +169,12 @@ TEST_CASE("planned paths keep the axes' limits and end where they should") {
 }
 
 TEST_CASE("a straight path in many blocks takes as long as in one") {
-  std::string program = "G01 F30000\n";
+  // 28000 mm/min and 10 m/s² brake within 10.9 mm, which are fewer blocks than the 120 that the control
+  // knows.
+  std::string program = "G01 F28000\n";
   for (int i = 1; i <= 5000; ++i) program += fmt::format("X{:.2f}\n", i * 0.1);
   auto const pieces = simulated(channel_of({{.order = 10}}), program);
-  auto const whole = simulated(channel_of({{.order = 10}}), "G01 X500 F30000\n");
+  auto const whole = simulated(channel_of({{.order = 10}}), "G01 X500 F28000\n");
   CHECK(pieces.passes.at(0).cycles == Approx(whole.passes.at(0).cycles).margin(1));
 }
 
@@ -207,13 +209,130 @@ TEST_CASE("a command without ON keeps the tolerance and the order of those befor
 TEST_CASE("a command without ON keeps the acceleration of corners") {
   auto machine = channel_of({{.order = 4}, {.order = 4}});
   for (auto& axis : machine.axes) axis.transition_weight = 500;
-  std::string const path = "G01 X5 F6000\nY5\nX0\nY0\n";
+  // STEP knows no transition weights.
+  std::string const path = "#SLOPE [TYPE=TRAPEZ]\nG01 X5 F6000\nY5\nX0\nY0\n";
   auto const found =
       simulated(std::move(machine), "#FILTER ON [ACC_FACT=10]\n" + path + "#FILTER [SHARE=100]\n" + path +
                                         "#FILTER ON [SHARE=100]\n" + path);
   REQUIRE(found.passes.size() == 3);
   CHECK(found.passes[1].cycles == found.passes[0].cycles);
   CHECK(found.passes[2].cycles > found.passes[0].cycles);
+}
+
+/// 10 mm out along X and 10 along Y, with an exact stop between them.
+test::Recorded with_exact_stop(machine::Machine const& machine, double window) {
+  auto path = test::path_of(machine);
+  for (auto& axis : path.axes) axis.exact_stop_window = window;
+  test::Recorded recorded;
+  Simulation simulation(test::runtime_of(machine), test::runtime_of(machine), PathLimits(path), false,
+                        recorded);
+  for (Point const& end : {Point{1e5}, Point{1e5, 1e5}}) {
+    ProgrammedBlock block;
+    block.end = end;
+    block.feed = per_cycle(6000);
+    block.exact_stop = end[1] == 0;
+    simulation.motion(block);
+  }
+  simulation.end();
+  CHECK_FALSE(simulation.failure().has_value());
+  return recorded;
+}
+
+TEST_CASE("an exact stop waits until the filtered position is within the window of each axis") {
+  // 100 mm/s and 10 m/s²: 110 cycles a block. A moving average of 41 cycles rests 40 cycles after its
+  // setpoint, and the pass ends when it does.
+  auto const machine = channel_of({{.order = 40}, {.order = 40}});
+  CHECK(with_exact_stop(machine, 0.5).passes.at(0).cycles == 110 + 40 + 110 + 40);
+  // The setpoint has the way v²/2a = 5000 units left when it begins to brake, and d cycles before its end 50
+  // d². Of 41 taps those that lie m and fewer cycles back are at the end: what is left is the sum of 50 d²
+  // over the others / 41.
+  double const window = 500;
+  int wait = 0;
+  for (;; ++wait) {
+    double left = 0;
+    for (int age = 0; age <= 40; ++age) {
+      int const d = age - wait;
+      // Before braking, which takes 10 cycles, the setpoint moves by 1000 units a cycle.
+      if (d > 0) left += d <= 10 ? 50.0 * d * d : 5000 + 1000.0 * (d - 10);
+    }
+    if (left / 41 <= window) break;
+  }
+  REQUIRE(wait > 0);
+  REQUIRE(wait < 40);
+  CHECK(with_exact_stop(machine, window).passes.at(0).cycles == 110 + wait + 110 + 40);
+  // Without filters it is there at once; nothing of the corner is left.
+  CHECK(with_exact_stop(channel_of({{.order = 0}, {.order = 0}}), window).passes.at(0).cycles == 220);
+}
+
+TEST_CASE("a pass has the largest accelerations and jerks of its axes") {
+  // 3-4-5 with ramps of 50 ms up to 500 mm/s: a = 10/0.8 m/s² along, jerk a/tr; STEP has no jerk to name.
+  auto machine = channel_of({{.order = 0}, {.order = 0}});
+  std::string const move = "G01 X300 Y400 F30000\n";
+  auto const step = simulated(machine, move).passes.at(0).peaks;
+  CHECK(step.acceleration[0] == Approx(75));
+  CHECK(step.acceleration[1] == Approx(100));
+  CHECK(step.jumps);
+  machine.groups[0].dynamics.slope = machine::Slope::trapez;
+  auto const found = simulated(machine, move);
+  auto const& trapez = found.passes.at(0).peaks;
+  // Δ = 500 is less than a t̄/2 = 625 mm/s: q = √0.8.
+  CHECK(trapez.acceleration[1] == Approx(100 * std::sqrt(0.8)));
+  CHECK(trapez.jerk[1] == Approx(100.0 / 50));
+  CHECK(trapez.jerk[0] == Approx(75.0 / 50));
+  CHECK_FALSE(trapez.jumps);
+  CHECK(found.blocks.at(0).motion.velocity_peak == Approx(5000));
+  CHECK(found.blocks[0].slope == machine::Slope::trapez);
+  // On a circle of 20 mm at 100 mm/s: 500 mm/s² across, and 10 m/s² along, at right angles.
+  machine.groups[0].dynamics.slope = machine::Slope::step;
+  auto const circle = simulated(machine, "G02 I20 F6000\n").passes.at(0).peaks;
+  CHECK(circle.acceleration[0] == Approx(100).epsilon(1e-3));
+  CHECK(circle.acceleration[1] == Approx(circle.acceleration[0]));
+}
+
+TEST_CASE("a block says that AX_DEV limits it") {
+  auto const found = simulated(channel_of({{.order = 40}, {.order = 40}}),
+                               "#FILTER ON [AX_DEV=0.002]\nG01 X10 F6000\nY10\n");
+  CHECK(found.blocks.at(0).motion.limited_by == LimitedBy::tolerance);
+  CHECK(found.blocks[0].motion.velocity_out < per_cycle(6000) / 2);
+}
+
+TEST_CASE("HSC has the time of TRAPEZ beside it") {
+  // Ten blocks of 2 mm, 2 m/s², 50 ms: 371.564 and 300 cycles; setpoints of the end come with the next cycle.
+  auto machine = channel_of({{.order = 0}, {.order = 0}});
+  for (auto& axis : machine.axes) axis.acceleration_limit = 2000;
+  machine.groups[0].dynamics.slope = machine::Slope::hsc;
+  std::string program = "G01 F6000\n";
+  for (int i = 1; i <= 10; ++i) program += fmt::format("X{}\n", 2 * i);
+  auto const found = simulated(machine, program).passes.at(0);
+  CHECK(found.cycles == Approx(300).margin(1));
+  REQUIRE(found.trapez_cycles.has_value());
+  CHECK(*found.trapez_cycles - found.cycles == Approx(71.564023));
+  machine.groups[0].dynamics.slope = machine::Slope::trapez;
+  CHECK_FALSE(simulated(machine, program).passes.at(0).trapez_cycles.has_value());
+}
+
+TEST_CASE("a least velocity through corners says how far it exceeds the axes' steps") {
+  // STEP: 10 m/s² are 10 mm/s in a cycle; 15 mm/s at 90° are 1.5 times as much.
+  auto const machine = channel_of({{.order = 0}, {.order = 0}});
+  for (auto const& [least, share] : {std::pair{15.0, 1.5}, std::pair{5.0, 0.0}}) {
+    test::Recorded recorded;
+    Simulation simulation(test::runtime_of(machine), test::runtime_of(machine),
+                          PathLimits(test::path_of(machine)), false, recorded);
+    BlockDynamics words;
+    words.least_corner_velocity = least;
+    auto const said = std::make_shared<BlockDynamics const>(words);
+    for (Point const& end : {Point{1e5}, Point{1e5, 1e5}}) {
+      ProgrammedBlock block;
+      block.end = end;
+      block.feed = per_cycle(6000);
+      block.dynamics = said;
+      simulation.motion(block);
+    }
+    simulation.end();
+    REQUIRE(recorded.blocks.size() == 2);
+    CHECK(recorded.blocks[0].corner_step_share.value_or(0) == Approx(share));
+    CHECK_FALSE(recorded.blocks[1].corner_step_share.has_value());
+  }
 }
 
 }  // namespace axisc::motion

@@ -319,7 +319,7 @@ struct Setpoints final : SampleSink {
   void sample(Point const& setpoint, double /*velocity*/, PathBlock const& /*block*/) override {
     all.push_back({setpoint[0], setpoint[1], setpoint[2]});
   }
-  void corner(PathBlock const&, PathBlock const*, double) override {}
+  void corner(PathBlock const&, PathBlock const*, double, BlockMotion const&) override {}
   std::vector<test::Place> all;
 };
 
@@ -344,9 +344,11 @@ TEST_CASE("the tolerance is kept across the planner's windows, too") {
     auto probe = test::runtime_of(machine);
     Setpoints setpoints;
     Interpolator interpolator(setpoints);
-    AxisLimits const limits{.velocity = 5000, .acceleration = random.logarithmic(10, 200)};
-    LookAhead look_ahead(PathLimits({limits, limits, limits}), false, interpolator,
-                         static_cast<std::size_t>(random.whole(4, 24)));
+    PathDynamics dynamics;
+    // 5000 units per cycle of 1 ms are 500 mm/s, 10 units per cycle² 1000 mm/s².
+    dynamics.axes.assign(3, test::step_axis(500'000, random.logarithmic(1000, 20'000)));
+    dynamics.channel.look_ahead_blocks = static_cast<std::uint32_t>(random.whole(4, 24));
+    LookAhead look_ahead(PathLimits(dynamics), false, interpolator);
     double const tolerance = random.logarithmic(3, 100);
     look_ahead.begin({}, ToleranceMonitor(probe, answers, tolerance), 1);
     double const feed = random.logarithmic(100, 3000);
@@ -366,10 +368,11 @@ TEST_CASE("the tolerance is kept across the planner's windows, too") {
 TEST_CASE("a pass says that it exceeds its tolerance where the machine does not do what was planned for") {
   // Planned is for kernels of order 4; those of the machine are longer.
   test::Recorded recorded;
-  std::vector<AxisLimits> const limits(2, {.velocity = 5000, .acceleration = 100, .transition_weight = 0});
+  PathDynamics dynamics;
+  dynamics.axes.assign(2, test::step_axis(500'000, 10'000));
   Simulation simulation(test::runtime_of(channel_of({{.order = 60}, {.order = 60}})),
-                        test::runtime_of(channel_of({{.order = 4}, {.order = 4}})), PathLimits(limits), false,
-                        recorded);
+                        test::runtime_of(channel_of({{.order = 4}, {.order = 4}})), PathLimits(dynamics),
+                        false, recorded);
   FilterChange change;
   change.command.filter_switch = machine::FilterSwitch::on;
   change.tolerance = 10;

@@ -194,6 +194,7 @@ Case random_case(unsigned seed) {
     axes[i].acceleration_limit = random.logarithmic(1000, 30'000);
     axes[i].transition_weight = random.whole(0, 1) * 500;
   }
+  found.machine.groups[0].dynamics.slope = static_cast<machine::Slope>(seed % 4);
   RandomProgram const program(random);
   found.contour = program.contour();
   double const tolerance_mm = std::round(random.logarithmic(0.0005, 0.05) * 1e7) / 1e7;

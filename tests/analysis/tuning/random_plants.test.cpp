@@ -22,7 +22,8 @@ struct Recorder final : motion::SampleSink {
   void sample(motion::Point const& setpoint, double, motion::PathBlock const&) override {
     setpoints.push_back(setpoint[0]);
   }
-  void corner(motion::PathBlock const&, motion::PathBlock const*, double) override {}
+  void corner(motion::PathBlock const&, motion::PathBlock const*, double,
+              motion::BlockMotion const&) override {}
   std::vector<double> setpoints;
 };
 
@@ -30,9 +31,16 @@ struct Recorder final : motion::SampleSink {
 std::vector<double> planned_ramp(Task const& task, std::size_t cycles) {
   Recorder recorder;
   motion::Interpolator interpolator(recorder);
-  motion::LookAhead look_ahead(
-      motion::PathLimits({{.velocity = task.velocity, .acceleration = task.acceleration}}), false,
-      interpolator);
+  // The task's units per cycle as a list gives them.
+  double const T = task.cycle_time.seconds();
+  machine::AxisDynamics axis;
+  axis.feed.velocity = task.velocity / (motion::units_per_um * T);
+  double const acceleration = task.acceleration / (motion::units_per_mm * T * T);
+  axis.feed.step_up = axis.feed.step_down = {.first = acceleration, .second = acceleration};
+  motion::PathDynamics dynamics;
+  dynamics.axes = {axis};
+  dynamics.cycle_time = task.cycle_time;
+  motion::LookAhead look_ahead(motion::PathLimits(dynamics), false, interpolator);
   look_ahead.begin({}, {}, 1);
   motion::ProgrammedBlock block;
   // So long that braking begins after everything that is looked at.

@@ -340,3 +340,21 @@ TEST_CASE("settings that mean nothing are refused with their place") {
     CHECK_THAT(outcome.err, Catch::Matchers::Contains(expected));
   }
 }
+
+TEST_CASE("readings of the motion are shown, and an unknown one is refused with those that there are") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "Ende\n");
+  folder.write("axisc.json", R"({"motion": {"sine": "whole-change", "corner": "per-cycle"}})");
+  auto const shown = run_axisc({"lint", "--print-config", "x.lis"}, in_folder(folder.path()));
+  CHECK(shown.status == 0);
+  CHECK_THAT(shown.out,
+             Catch::Matchers::Contains("motion: sine") && Catch::Matchers::Contains("whole-change"));
+  CHECK_THAT(shown.out, !Catch::Matchers::Contains("motion: corner"));
+  folder.write("axisc.json", R"({"motion": {"sine": "round"}})");
+  auto const refused = run_axisc({"lint", "x.lis"}, in_folder(folder.path()));
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::Matchers::Contains("axisc.json:1:21") &&
+                              Catch::Matchers::Contains("ramps, whole-change, same-peak-jerk"));
+  folder.write("axisc.json", R"({"motion": {"sinus": "ramps"}})");
+  CHECK(run_axisc({"lint", "x.lis"}, in_folder(folder.path())).status == 2);
+}

@@ -25,7 +25,8 @@ nlohmann::json simulate(Surroundings const& there, std::vector<std::string> argu
 Surroundings two_axes(TemporaryFolder const& folder, std::string const& more = "") {
   folder.write("a.lis",
                "filter_fir.type 1\nfilter_fir.order 40\ngetriebe[0].dynamik.vb_max 500000\n"
-               "getriebe[0].dynamik.a_max 10000\nEnde\n");
+               "getriebe[0].dynamik.a_max 10000\ngetriebe[0].lslope_profil.a_stufe_1 10000\n"
+               "getriebe[0].lslope_profil.a_stufe_2 10000\nEnde\n");
   folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, )" + more +
                              R"("axes": [{"name": "X", "list": "a.lis"}, {"name": "Y", "list": "a.lis"}]})");
   return in_folder(folder.path());

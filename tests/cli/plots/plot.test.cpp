@@ -368,7 +368,7 @@ TEST_CASE(
   std::string const svg = plot({"-o", "-"}).out;
   CHECK_THAT(svg, Contains(rounded(largest) + " µm in line"));
   CHECK_THAT(svg, !Contains(">line "));
-  CHECK_THAT(plot({"-o", "-", "--tolerance", "0.1"}).out, Contains(">line ") && Contains(">tolerance<"));
+  CHECK_THAT(plot({"-o", "-", "--tolerance", "0.04"}).out, Contains(">line ") && Contains(">tolerance<"));
   CHECK_THAT(plot({"-o", "-", "--tolerance", "1"}).out, !Contains(">line "));
   CHECK(plot({"-o", "-", "--plane", "YX"}).out != svg);
   for (auto const& wrong : std::vector<std::vector<std::string>>{

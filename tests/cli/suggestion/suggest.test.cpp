@@ -2,6 +2,7 @@
 #include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <filesystem>
@@ -71,7 +72,12 @@ TEST_CASE("each suggestion can be written, is then present, and has no findings"
     auto const chosen =
         std::string(number == "1" ? "1 least deviation" : "2 balanced (recommended), 3 least vibration") +
         ": " + wanted["chain"].get<std::string>() + "\nNC program: #FILTER ON [AX_DEV=0.01]\n";
-    CHECK(outcome.out == chosen);
+    // The sentence is longer than a line.
+    auto const in_one_line = [](std::string text) {
+      std::replace(text.begin(), text.end(), '\n', ' ');
+      return text;
+    };
+    CHECK(in_one_line(outcome.out) == in_one_line(chosen));
     CHECK(outcome.err == "axisc: written: x.lis\naxisc: written: y.lis\naxisc: written: z.lis\n");
     CHECK(run_axisc({"lint", "machine.json", "--pedantic"}, there).out == "4 files: no findings\n");
     auto const present = suggested(there)["present"];

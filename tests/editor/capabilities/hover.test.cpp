@@ -128,3 +128,26 @@ TEST_CASE("pointing at #FILTER shows the kernels that result") {
   CHECK(said(3).find("are off") != std::string::npos);
   CHECK(said(4).find("HSC") != std::string::npos);
 }
+
+TEST_CASE("pointing at a word that says how the path is driven shows what it does") {
+  std::string const text = "N1 G01 G60 X1 (G360)\nN2 #SLOPE [TYPE=SIN2]\nN3 G131=50 #CONTOUR MODE OFF\n";
+  auto const shown = [&](int line, int column) {
+    return Conversation()
+        .open("/p.nc", text)
+        .ask_at("textDocument/hover", "/p.nc", line, column)
+        .results()[0];
+  };
+  auto const said = [&](int line, int column) {
+    return shown(line, column)["contents"]["value"].get<std::string>();
+  };
+  CHECK(said(0, 8).find("G60") < 3);
+  CHECK(said(0, 8).find("Exact stop at the end of this block") != std::string::npos);
+  CHECK(shown(0, 8)["range"]["start"]["character"] == 7);
+  CHECK(shown(0, 8)["range"]["end"]["character"] == 10);
+  CHECK(shown(0, 4).is_null());
+  // Text in a comment is no word.
+  CHECK(shown(0, 16).is_null());
+  CHECK(said(1, 5).find("sin²") != std::string::npos);
+  CHECK(said(2, 4).find("G131=percent") != std::string::npos);
+  CHECK(said(2, 20).find("#CONTOUR MODE OFF") < 3);
+}

@@ -8,10 +8,10 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"the time delay `{filter}` comes before the active filter `{next}`",
                             "die Zeitverzögerung `{filter}` liegt vor dem aktiven Filter `{next}`"};
-constexpr Sentence limit{"only the last active filter of an axis may be a time delay",
-                         "nur der letzte aktive Filter einer Achse darf eine Zeitverzögerung sein"};
-constexpr Sentence reaction{"it reports that only the last filter may be a time delay",
-                            "sie meldet, dass nur der letzte Filter eine Zeitverzögerung sein darf"};
+constexpr Sentence limit{
+    "with P-AXIS-00513 = 1 only the last active filter of an axis may be a time delay",
+    "mit P-AXIS-00513 = 1 darf nur der letzte aktive Filter einer Achse eine Zeitverzögerung sein"};
+constexpr Sentence reaction{"it switches the time delay off", "sie schaltet die Zeitverzögerung ab"};
 constexpr Sentence next_here{"`{filter}` is active after it", "`{filter}` ist danach aktiv"};
 
 }  // namespace axisc::validator::says
@@ -21,6 +21,8 @@ namespace {
 
 void delay_not_last(FilterContext const& context, Report& report) {
   FilterView const& delay = context.filter;
+  EffectiveValue const& position_alone = context.axis.values.at("kenngr.delay_filter_only_position");
+  if (position_alone.unusable || !position_alone.value.flag()) return;
   bool const is_delay = delay.standard_type == design::FilterType::time_delay;
   if (delay.port != FilterPort::setpoint || !delay.active() || !is_delay) return;
   auto const filters = context.axis.filters;
@@ -45,7 +47,7 @@ extern constinit Rule const ax4004{
     .code = Code{4004},
     .name = "delay-not-last",
     .control = "110583",
-    .parameters = "filters[].type filters[].enable filters[].order",
+    .parameters = "filters[].type filters[].enable filters[].order kenngr.delay_filter_only_position",
     .check = delay_not_last,
 };
 

@@ -1,8 +1,8 @@
-#include "configuration/xml_list.hpp"
+#include "configuration/xml/xml_list.hpp"
 
 #include "configuration/project_file.hpp"
 #include "configuration/sentences.hpp"
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/utf8.hpp"
 #include "diagnostics/windows_1252.hpp"

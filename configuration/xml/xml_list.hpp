@@ -2,7 +2,7 @@
 #pragma once
 
 #include "configuration/list_kind.hpp"
-#include "configuration/xml_document.hpp"
+#include "configuration/xml/xml_document.hpp"
 #include "diagnostics/source_text.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "configuration/xml_document.hpp"
+#include "configuration/xml/xml_document.hpp"
 
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/utf8.hpp"

@@ -1,6 +1,6 @@
-#include "configuration/xml_names.hpp"
+#include "configuration/xml/xml_names.hpp"
 
-#include "configuration/xml_document.hpp"
+#include "configuration/xml/xml_document.hpp"
 #include "diagnostics/ascii.hpp"
 #include "schema/catalogue.hpp"
 

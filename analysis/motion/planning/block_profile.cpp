@@ -1,0 +1,71 @@
+#include "analysis/motion/planning/block_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axisc::motion {
+namespace {
+
+constexpr int most_steps = 200;
+constexpr double same_velocity = 1e-15;
+constexpr double last_step = 1e-8;
+
+double way_through(BlockTask const& task, double v) {
+  double const in = task.velocity_in;
+  return (v >= in ? task.up->way(in, v) : task.down->way(v, in)) + task.down->way(task.velocity_out, v);
+}
+
+/// Between a velocity that fits and one that does not: Newton's method, or halving where it leaves them. A
+/// step that is this share of the change leaves its square as error.
+double highest_fitting(BlockTask const& task, double low, double high) {
+  double const slowest = low;
+  bool const rises = low >= task.velocity_in;
+  double v = high;
+  for (int i = 0; i < most_steps && high - low > same_velocity * high; ++i) {
+    double const over = way_through(task, v) - task.length;
+    (over <= 0 ? low : high) = v;
+    double next = (low + high) / 2;
+    if (rises) {
+      double const growth = task.up->growth(task.velocity_in, v) + task.down->growth(task.velocity_out, v);
+      double const newton = v - over / growth;
+      if (std::abs(newton - v) <= last_step * (v - slowest)) return std::clamp(newton, low, high);
+      if (newton > low && newton < high) next = newton;
+    }
+    v = next;
+  }
+  return low;
+}
+
+}  // namespace
+
+double middle_velocity(BlockTask const& task) {
+  double const slower = std::min(task.velocity_in, task.velocity_out);
+  double const faster = std::max(task.velocity_in, task.velocity_out);
+  if (task.velocity_in > task.limit) {
+    if (way_through(task, task.limit) <= task.length) return task.limit;
+    return highest_fitting(task, task.velocity_out, task.limit);
+  }
+  double const limit = std::max(task.limit, slower);
+  if (limit <= faster) return faster;
+  if (way_through(task, limit) <= task.length) return limit;
+  return highest_fitting(task, faster, limit);
+}
+
+void append_profile(BlockTask const& task, double middle, std::vector<Phase>& phases) {
+  auto const first = phases.size();
+  if (middle >= task.velocity_in) {
+    task.up->append_up(task.velocity_in, middle, phases);
+  } else {
+    task.down->append_down(task.velocity_in, middle, phases);
+  }
+  double rest = task.length;
+  for (auto i = first; i < phases.size(); ++i) rest -= phases[i].length;
+  auto const before_braking = phases.size();
+  task.down->append_down(middle, task.velocity_out, phases);
+  for (auto i = before_braking; i < phases.size(); ++i) rest -= phases[i].length;
+  // What rounding leaves over at velocity 0 is no way.
+  if (!(rest > 0) || !(middle > 0)) return;
+  phases.insert(phases.begin() + static_cast<std::ptrdiff_t>(before_braking), Phase::steady(middle, rest));
+}
+
+}  // namespace axisc::motion

@@ -1,0 +1,136 @@
+#include "analysis/motion/planning/velocity_window.hpp"
+
+#include <algorithm>
+
+namespace axisc::motion {
+namespace {
+
+/// Rounding of ways and velocities.
+constexpr double same_way = 1e-12;
+constexpr double same_velocity = 1e-12;
+
+/// The highest velocity before an element with which it ends at `next`.
+double highest_before(PathElement& element, double next) {
+  return element.down->fastest(next, element.length, element.share);
+}
+
+}  // namespace
+
+Exit exit_of(PathElement const& element, double velocity_in, double wanted) {
+  if (wanted >= velocity_in) {
+    return {std::min(wanted, element.up->fastest(velocity_in, element.length)), true};
+  }
+  if (element.down->way(wanted, velocity_in) <= element.length * (1 + same_way)) return {wanted, true};
+  double const slower = element.down->slowest(wanted, velocity_in, element.length);
+  return {std::max(0.0, slower), slower >= 0};
+}
+
+LimitedBy cause_of(double velocity_out, PathElement const* next, bool waits_for_blocks, bool ends) {
+  if (next == nullptr) return ends ? LimitedBy::stop : LimitedBy::look_ahead;
+  if (velocity_out >= next->entry * (1 - same_velocity)) return next->entry_cause;
+  if (velocity_out < next->allowed * (1 - same_velocity)) return LimitedBy::axis;
+  return waits_for_blocks ? LimitedBy::look_ahead : LimitedBy::braking;
+}
+
+BlockTask task_of(PassedElement const& passed) {
+  auto const& element = passed.element;
+  return {.length = element.length,
+          .velocity_in = passed.velocity_in,
+          .velocity_out = passed.velocity_out,
+          .limit = element.velocity,
+          .up = element.up,
+          .down = element.down};
+}
+
+void complete(PassedElement& passed) {
+  passed.velocity_middle = middle_velocity(task_of(passed));
+  double const peak = std::max(passed.velocity_in, passed.velocity_middle);
+  if (peak >= passed.element.velocity * (1 - same_velocity)) {
+    passed.limited_by = passed.element.velocity_cause;
+  }
+}
+
+void VelocityWindow::begin(double velocity, bool moves) {
+  elements_.clear();
+  first_ = pending_ = 0;
+  velocity_ = velocity;
+  moves_ = moves;
+  primed_ = false;
+}
+
+void VelocityWindow::push(PathElement const& element) {
+  elements_.push_back(element);
+  if (!primed_) return;
+  auto& last = elements_.back();
+  double const braking = last.down->fastest(0, last.length);
+  last.allowed = std::min(last.entry, braking);
+  last.waits_for_blocks = braking < last.entry;
+}
+
+/// All of the first window.
+void VelocityWindow::prime() {
+  primed_ = true;
+  pending_ = elements_.size();
+  double next = 0;
+  bool waits = true;
+  for (std::size_t i = elements_.size(); i-- > first_;) {
+    auto& element = elements_[i];
+    double braking = highest_before(element, next);
+    if (moves_) braking = std::max(braking, element.down->fastest(0, element.length));
+    element.waits_for_blocks = waits && braking < element.entry;
+    element.allowed = std::min(element.entry, braking);
+    next = element.allowed;
+    waits = element.waits_for_blocks;
+  }
+}
+
+/// Backwards from the last element, as far as it changes something.
+void VelocityWindow::raise() {
+  for (std::size_t i = elements_.size() - 1; i-- > first_ + 1;) {
+    auto& element = elements_[i];
+    auto const& next = elements_[i + 1];
+    bool changes = false;
+    if (element.allowed < element.entry) {
+      double const braking = highest_before(element, next.allowed);
+      double const found = std::min(element.entry, braking);
+      changes = found > element.allowed;
+      if (changes) {
+        element.allowed = found;
+        element.waits_for_blocks = next.waits_for_blocks && braking < element.entry;
+      }
+    }
+    if (!changes && i < pending_) break;
+  }
+  pending_ = elements_.size();
+}
+
+/// Elements are moved only now and then.
+void VelocityWindow::forget_passed() {
+  constexpr std::size_t many = 1024;
+  if (first_ < many || first_ < elements_.size() / 2) return;
+  elements_.erase(elements_.begin(), elements_.begin() + static_cast<std::ptrdiff_t>(first_));
+  pending_ -= std::min(pending_, first_);
+  first_ = 0;
+}
+
+PassedElement VelocityWindow::pass(bool ends) {
+  if (!primed_) prime();
+  PassedElement passed{.element = elements_[first_], .velocity_in = velocity_};
+  auto const& element = passed.element;
+  bool const is_last = size() == 1;
+  PathElement const* const next = is_last ? nullptr : &elements_[first_ + 1];
+  // An earlier window may allow more than this element reaches.
+  bool const is_pending = !is_last && pending_ < elements_.size() && next->allowed < next->entry;
+  if (is_pending && next->allowed < element.up->fastest(velocity_, element.length)) raise();
+  auto const exit = exit_of(element, velocity_, is_last ? 0 : next->allowed);
+  passed.velocity_out = exit.velocity;
+  passed.is_possible = exit.is_possible;
+  passed.waits_for_blocks = !ends && (is_last || next->waits_for_blocks);
+  passed.limited_by = cause_of(passed.velocity_out, next, passed.waits_for_blocks, ends);
+  velocity_ = passed.velocity_out;
+  ++first_;
+  forget_passed();
+  return passed;
+}
+
+}  // namespace axisc::motion

@@ -1,0 +1,171 @@
+#include "validator/engine/rule.hpp"
+
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/motion_blocks.hpp"
+#include "validator/views/axis_dynamics.hpp"
+#include "validator/views/units_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{word}`: axis \"{axis}\" gets {counts} in `{parameter}`, not {asked}",
+                            "`{word}`: Achse „{axis}“ erhält {counts} in `{parameter}`, nicht {asked}"};
+constexpr Sentence most{
+    "a weight gives at most P-AXIS-00292, or P-AXIS-00008 where that is not set",
+    "ein Gewicht gibt höchstens P-AXIS-00292 oder, wo es nicht gesetzt ist, P-AXIS-00008"};
+constexpr Sentence most_of_rapid{"a weight gives at most P-AXIS-00008",
+                                 "ein Gewicht gibt höchstens P-AXIS-00008"};
+constexpr Sentence least{"a weight gives at least P-AXIS-00293, and never less than P-AXIS-00201",
+                         "ein Gewicht gibt mindestens P-AXIS-00293 und nie weniger als P-AXIS-00201"};
+constexpr Sentence value_here{"100 % are this value", "100 % sind dieser Wert"};
+constexpr Sentence reaction{"it limits the weighted value", "sie begrenzt den gewichteten Wert"};
+
+}  // namespace axisc::validator::says
+
+namespace axisc::validator::checks {
+namespace {
+
+using Of = schema::Weighting::Of;
+using In = schema::Weighting::In;
+
+/// A value that a weight changes, with the control's message where it is limited.
+struct Weighed {
+  std::string_view parameter;
+  std::string_view control;
+};
+
+constexpr std::array step_accelerations{Weighed{"getriebe[].lslope_profil.a_stufe_1", ""},
+                                        Weighed{"getriebe[].lslope_profil.a_stufe_2", "120029"}};
+constexpr std::array accelerations{Weighed{"getriebe[].slope_profil.a_beschl", "120031"},
+                                   Weighed{"getriebe[].slope_profil.a_brems", "120033"}};
+constexpr std::array rapid_step_accelerations{Weighed{"getriebe[].lslope_profil.a_grenz_stufe_1", "120627"},
+                                              Weighed{"getriebe[].lslope_profil.a_grenz_stufe_2", "120627"}};
+constexpr std::array rapid_accelerations{Weighed{"getriebe[].slope_profil.a_grenz", "120627"}};
+constexpr std::array ramps{Weighed{"getriebe[].slope_profil.tr_beschl_zu", "120035"},
+                           Weighed{"getriebe[].slope_profil.tr_beschl_ab", "120036"},
+                           Weighed{"getriebe[].slope_profil.tr_brems_zu", "120037"},
+                           Weighed{"getriebe[].slope_profil.tr_brems_ab", "120038"}};
+constexpr std::array rapid_ramps{Weighed{"getriebe[].slope_profil.tr_grenz", "120629"}};
+
+std::span<Weighed const> weighed_by(schema::Weighting const& weighting, machine::Slope slope) {
+  bool const is_step = slope == machine::Slope::step;
+  bool const is_rapid = weighting.in == In::rapid;
+  if (weighting.in == In::feed_hold) return {};
+  if (weighting.of == Of::acceleration) {
+    if (is_step) return is_rapid ? std::span<Weighed const>(rapid_step_accelerations) : step_accelerations;
+    return is_rapid ? std::span<Weighed const>(rapid_accelerations) : accelerations;
+  }
+  // Without effect with STEP.
+  if (weighting.of != Of::ramp_times || is_step) return {};
+  return is_rapid ? std::span<Weighed const>(rapid_ramps) : ramps;
+}
+
+class WeightCheck {
+ public:
+  WeightCheck(ProgramContext const& context, Report& report) : context_(context), report_(report) {}
+
+  void run() {
+    machine::Slope slope = context_.group->dynamics.slope;
+    for (grammar::WantedBlock const& wanted : context_.program.tree.blocks) {
+      MotionBlock const block(wanted, context_.text);
+      slope = block.slope(context_.group->dynamics.slope).value_or(slope);
+      for (BlockFunction const& function : block.functions()) {
+        if (function.word == nullptr || function.word->effect != schema::MotionEffect::weigh) continue;
+        auto const weighed = weighed_by(function.word->weighting, slope);
+        if (function.word->weighting.by_axis) {
+          for (BlockAxisWord const& word : block.axis_words_behind(function.index)) {
+            if (word.value) check(function, word.span, *word.value, weighed, word.axis);
+          }
+        } else if (function.value) {
+          check(function, function.value_span, *function.value, weighed, {});
+        }
+      }
+    }
+  }
+
+ private:
+  /// Of one axis, or of all without a name: the first that is limited. Each weight is reported once.
+  void check(BlockFunction const& function, Span span, double percent, std::span<Weighed const> weighed,
+             std::string_view name) {
+    for (std::size_t const index : context_.group->axes) {
+      LoadedAxis const& axis = context_.whole.machine.axes[index];
+      if (!name.empty() && axis.name != name) continue;
+      for (Weighed const& each : weighed) {
+        if (!is_limited(axis, function, each, percent)) continue;
+        bool const is_new = reported_.insert({function.number, std::string(name), percent}).second;
+        if (is_new) report(axis, function, span, each, percent);
+        return;
+      }
+    }
+  }
+
+  [[nodiscard]] static double limit_of(LoadedAxis const& axis, BlockFunction const& function) {
+    auto const dynamics = axis_dynamics(axis.merged.values);
+    auto const& weighting = function.word->weighting;
+    if (weighting.of == Of::ramp_times) {
+      return weighting.in == In::rapid ? dynamics.shortest_ramp_time : dynamics.shortest_weighted_ramp_time;
+    }
+    if (weighting.in == In::rapid) return dynamics.highest_acceleration;
+    return dynamics.weighted_acceleration.value_or(dynamics.highest_acceleration);
+  }
+
+  [[nodiscard]] static bool is_limited(LoadedAxis const& axis, BlockFunction const& function,
+                                       Weighed const& weighed, double percent) {
+    EffectiveValue const& value = axis.merged.values.at(weighed.parameter);
+    if (value.unusable) return false;
+    double const asked = value.value.number * percent / 100;
+    bool const is_time = function.word->weighting.of == Of::ramp_times;
+    // What the list itself has beyond the limit is a finding about the list.
+    if (is_time) return percent < 100 && asked < limit_of(axis, function);
+    return percent > 100 && asked > limit_of(axis, function);
+  }
+
+  void report(LoadedAxis const& axis, BlockFunction const& function, Span span, Weighed const& weighed,
+              double percent) {
+    EffectiveValue const& value = axis.merged.values.at(weighed.parameter);
+    std::string_view const unit = unit_of(*value.row, axis.type);
+    report_.axis = axis.name;
+    Finding& finding =
+        report_.add(Place{.source = context_.program.source, .span = span},
+                    message(says::headline, {{"word", std::string(function.word->word)},
+                                             {"axis", axis.name},
+                                             {"parameter", parameter_name(value)},
+                                             {"counts", physical(limit_of(axis, function), unit)},
+                                             {"asked", physical(value.value.number * percent / 100, unit)}}));
+    bool const is_time = function.word->weighting.of == Of::ramp_times;
+    bool const is_rapid = function.word->weighting.in == In::rapid;
+    finding.notes.push_back(message(is_time ? says::least : is_rapid ? says::most_of_rapid : says::most));
+    if (value.value_place()) {
+      finding.related.push_back({.place = *value.value_place(), .message = message(says::value_here)});
+    }
+    react(finding, weighed.control, message(says::reaction));
+  }
+
+  ProgramContext const& context_;
+  Report& report_;
+  std::set<std::tuple<int, std::string, double>> reported_;
+};
+
+void weight_limited(ProgramContext const& context, Report& report) {
+  if (context.group != nullptr) WeightCheck(context, report).run();
+}
+
+}  // namespace
+
+extern constinit Rule const ax8001{
+    .code = Code{8001},
+    .name = "weight-limited",
+    .severity = Severity::warning,
+    .control = "120029/120031/120033/120035/120036/120037/120038/120627/120629",
+    .parameters =
+        "getriebe[].dynamik.a_w_max getriebe[].dynamik.a_max getriebe[].dynamik.tr_w_min "
+        "getriebe[].dynamik.tr_min getriebe[].slope_profil.* getriebe[].lslope_profil.*",
+    .check = weight_limited,
+};
+
+}  // namespace axisc::validator::checks
