@@ -211,14 +211,6 @@ double Ramp::slowest(double slow, double fast, double length) const {
   return low;
 }
 
-double Ramp::most_acceleration(double slow, double fast) const {
-  if (!(slow < fast)) return 0;
-  if (!is_step()) return course(fast - slow).peak;
-  double most = 0;
-  for_each_step(slow, fast, [&](double, double, double a) { most = std::max(most, a); });
-  return most;
-}
-
 namespace {
 
 /// A ramp of the acceleration from 0 to the peak, or back.

@@ -71,8 +71,6 @@ class Ramp {
   [[nodiscard]] bool is_step() const { return count_ > 0; }
   [[nodiscard]] RampTimes const& times() const { return times_; }
   [[nodiscard]] RampRules const& rules() const { return rules_; }
-  /// Most acceleration between two velocities.
-  [[nodiscard]] double most_acceleration(double slow, double fast) const;
 
  private:
   /// What the acceleration does: p, then the times.
