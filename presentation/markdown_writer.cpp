@@ -21,7 +21,7 @@ std::string plain(std::string_view text) {
     bool const is_markup = character == '_'   ? i == 0 || !is_word(i - 1) || !is_word(i + 1)
                            : character == ']' ? text.substr(i + 1).starts_with('(')
                            : character == '#'
-                               ? i == 0
+                               ? i == 0 && (text.size() == 1 || text[1] == '#' || text[1] == ' ')
                                : std::string_view("\\`*<>").find(character) != std::string_view::npos;
     bool const is_link = ends_link && (character == '.' || character == '/');
     if (is_markup || is_link) shown += '\\';

@@ -107,12 +107,31 @@ std::string text_of(Value const& value, Language language, Units units, ForeignT
   return std::visit(TextForm{.language = language, .units = units, .foreign = foreign}, value.form());
 }
 
+namespace {
+
+/// Whether the sentence has the value between backquotes, where a format that knows markup has none.
+bool is_code(std::string_view sentence, std::string_view name) {
+  auto const at = sentence.find("{" + std::string(name) + "}");
+  auto const before = sentence.substr(0, at);
+  return at != std::string_view::npos && std::count(before.begin(), before.end(), '`') % 2 == 1;
+}
+
+/// A backquote would end the code.
+std::string in_code(std::string_view text) {
+  std::string shown(text);
+  std::replace(shown.begin(), shown.end(), '`', '\'');
+  return shown;
+}
+
+}  // namespace
+
 std::string text_of(Words const& words, Language language, ForeignText foreign) {
   Message message{.sentence = words.sentence, .arguments = {}};
   for (auto const& [name, value] : words.values) {
     auto const* const wording = std::get_if<Wording>(&value.form());
+    auto const how = foreign != nullptr && is_code(words.sentence.in(language), name) ? in_code : foreign;
     message.arguments.push_back(
-        {name, wording != nullptr ? *wording : text_of(value, language, Units::shown, foreign)});
+        {name, wording != nullptr ? *wording : text_of(value, language, Units::shown, how)});
   }
   return render(message, language, Values::printable);
 }

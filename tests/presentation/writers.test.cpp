@@ -124,6 +124,15 @@ TEST_CASE("a number stays with its unit") {
   CHECK(wrapped("in 1 2 3 4", 4) == "in\n1 2\n3 4\n");
 }
 
+TEST_CASE("foreign text in code of Markdown needs no escape, and does not end it") {
+  static constexpr Sentence form{"write `{form}`, not {form}", "`{form}` schreiben, nicht {form}"};
+  Document document{.title = as_given("#SLOPE"), .blocks = {}};
+  document.blocks = {Paragraph{Words(form, {{"form", "*a`"}})}};
+  auto const text = write(document, Format::markdown, {.language = Language::english});
+  CHECK(text.find("write `*a'`, not ") != std::string::npos);
+  CHECK(text.starts_with("# #SLOPE\n"));
+}
+
 TEST_CASE("foreign text stays text") {
   CHECK(written(Format::text).find('\x1b') == std::string::npos);
   CHECK(written(Format::html).find("<b>") == std::string::npos);

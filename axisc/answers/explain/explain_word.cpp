@@ -51,8 +51,10 @@ Document word_answer(schema::MotionWord const& word) {
       .blocks = {Paragraph{Words(says::word_facts, {{"use", use.words}, {"reach", reach.words}})},
                  Paragraph{word.meaning}, Paragraph{Words(says::word_form, {{"form", word.form}})}},
       .csv_table = "words"};
-  if (!address.empty())
-    answer.blocks.emplace_back(Paragraph{Words(says::word_source, {{"address", address}})});
+  if (!address.empty()) {
+    // Of the catalogue's own making: a link.
+    answer.blocks.emplace_back(Paragraph{Words(says::word_source, {{"address", Wording(address)}})});
+  }
   answer.blocks.emplace_back(std::move(table));
   return answer;
 }

@@ -63,11 +63,6 @@ Table table_with(std::string const& key, SentenceRef label, SimulatedPath const&
   return table;
 }
 
-std::string_view symbol_of(machine::Slope slope) {
-  constexpr std::array<std::string_view, 4> symbols = {"STEP", "TRAPEZ", "SIN2", "HSC"};
-  return symbols.at(static_cast<std::size_t>(slope));
-}
-
 std::string_view symbol_of(motion::LimitedBy cause) {
   constexpr std::array<std::string_view, 10> symbols = {"feed",      "axis",         "curve",   "curve-jerk",
                                                         "corner",    "tangent-jerk", "braking", "look-ahead",
@@ -146,7 +141,7 @@ void ProgramSummary::block(motion::BlockSummary const& summary) {
   auto const& motion = summary.motion;
   add(blocks_, {summary.label, summary.line}, summary,
       {motion.velocity_in * per_second, motion.velocity_peak * per_second, motion.velocity_out * per_second,
-       symbol_of(summary.slope), symbol_of(motion.limited_by), summary.corner_step_share});
+       name_of(summary.slope), symbol_of(motion.limited_by), summary.corner_step_share});
 }
 
 void ProgramSummary::pass(motion::PassSummary const& summary) {
