@@ -48,8 +48,9 @@ class CsvWriter {
     if (table.key != key_) return;
     std::vector<std::size_t> places;
     for (auto const& [array, field] : identity_) {
-      bool const is_taken = std::any_of(table.columns.begin(), table.columns.end(),
-                                        [&](Column const& column) { return name_of(column) == field.key; });
+      bool const is_taken =
+          std::any_of(table.columns.begin(), table.columns.end(),
+                      [&key = field.key](Column const& column) { return name_of(column) == key; });
       places.push_back(place_of(is_taken ? array + "." + field.key : field.key));
     }
     for (auto const& column : table.columns) {
