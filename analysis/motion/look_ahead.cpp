@@ -327,7 +327,8 @@ bool LookAhead::keep_tolerance(bool ends) {
     if (verdict == ToleranceMonitor::Verdict::exceeds) return true;
     make_plan(ends);
   }
-  return false;
+  // From rest every plan is possible, but for rounding.
+  return kept_.empty();
 }
 
 /// Blocks that end so early that no later plan changes what is measured on them.
@@ -407,7 +408,7 @@ void LookAhead::plan_across(bool stops) {
     motions_ = kept_motions_;
     auto const place =
         std::find_if(pieces_.begin(), pieces_.end(), [](auto const& each) { return each.is_place; });
-    count = place->block + 1;
+    count = place == pieces_.end() ? motions_.size() : place->block + 1;
   }
   hand_on(count, count == blocks_.size());
   full_ = blocks_.size() + hsc_window / 2;

@@ -294,6 +294,10 @@ TEST_CASE("an error that has an edge between two cycles keeps the tolerance, too
   check_all(1651, 1);
 }
 
+TEST_CASE("a velocity that falls by little more than rounding is followed") {
+  check_all(1030, 1);
+}
+
 TEST_CASE("a thousand random programs keep the tolerance", "[.][long]") {
   check_all(setting("AXISC_TOLERANCE_SEED", 1000), setting("AXISC_TOLERANCE_PROGRAMS", 1000));
 }
