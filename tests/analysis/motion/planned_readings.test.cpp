@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numbers>
 #include <tuple>
@@ -40,7 +41,7 @@ struct Plan {
     words.slope = slope;
   }
 
-  std::vector<ProgrammedBlock> blocks;
+  std::deque<ProgrammedBlock> blocks;
   ProgrammedBlock& to(double x, double y = 0) {
     auto& block = blocks.emplace_back();
     block.end = {x * units_per_mm, y * units_per_mm};
