@@ -135,10 +135,8 @@ std::vector<test::Place> in_units(std::vector<test::Place> contour) {
   return contour;
 }
 
-}  // namespace
-
-TEST_CASE("no axis error of any path exceeds the tolerance") {
-  for (int round = 0; round < 1000; ++round) {
+void keep_on_random_paths(int rounds) {
+  for (int round = 0; round < rounds; ++round) {
     Random random{std::mt19937_64(static_cast<unsigned>(round))};
     double const seconds = random.whole(1, 8) * 0.0005;
     design::CycleTime const cycle_time{static_cast<std::uint32_t>(std::lround(seconds * 1e9))};
@@ -171,6 +169,16 @@ TEST_CASE("no axis error of any path exceeds the tolerance") {
         test::largest_of(test::distances(in_units(contour), setpoints_of(found), {taps, taps, taps}));
     CHECK(measured.largest() <= tolerance_mm * 1e4 * (1 + 1e-9));
   }
+}
+
+}  // namespace
+
+TEST_CASE("no axis error of any path exceeds the tolerance") {
+  keep_on_random_paths(250);
+}
+
+TEST_CASE("no axis error of a thousand paths exceeds the tolerance", "[.][long]") {
+  keep_on_random_paths(1000);
 }
 
 TEST_CASE("the manual's square in three passes") {
