@@ -22,8 +22,9 @@ Exit exit_of(PathElement const& element, double velocity_in, double wanted) {
   }
   if (element.down->way(wanted, velocity_in) <= element.length * (1 + same_way)) return {wanted, true};
   // The way of a small change is that of a difference of velocities, of which rounding leaves few digits.
-  if (velocity_in <= element.down->fastest(wanted, element.length) * (1 + same_velocity))
+  if (velocity_in <= element.down->fastest(wanted, element.length) * (1 + same_velocity)) {
     return {wanted, true};
+  }
   double const slower = element.down->slowest(wanted, velocity_in, element.length);
   return {std::max(0.0, slower), slower >= 0};
 }
