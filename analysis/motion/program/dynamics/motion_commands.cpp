@@ -74,8 +74,9 @@ class MotionCommand {
     if (!reader_.take("[")) return reader_.refuse(says::unknown_slope);
     while (!reader_.take("]")) {
       std::string_view const key = reader_.take();
-      if ((key != "TYPE" && key != "NO_OPT") || !reader_.take("="))
+      if ((key != "TYPE" && key != "NO_OPT") || !reader_.take("=")) {
         return reader_.refuse(says::unknown_slope);
+      }
       if (key == "TYPE") {
         type = slope_named(reader_.take());
         if (!type) return reader_.refuse(says::unknown_slope);
@@ -94,8 +95,9 @@ class MotionCommand {
     auto const number = reader_.take_number();
     if (!number) return;
     bool const is_slope = *number == 0 || *number == 1 || *number == 2 || *number == 3;
-    if (!is_slope || !reader_.take("]") || !reader_.at_end())
+    if (!is_slope || !reader_.take("]") || !reader_.at_end()) {
       return reader_.refuse(says::unknown_slope_number);
+    }
     set_slope(static_cast<machine::Slope>(static_cast<int>(*number)));
   }
 
