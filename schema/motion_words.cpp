@@ -28,22 +28,17 @@ constexpr Sentence brake_in_time{
     "A lower feed of the next block is reached at the end of this one. This is the initial state; it ends "
     "G901.",
     "Ein niedrigerer Vorschub des nächsten Satzes ist am Ende des Satzes erreicht. Das ist der Grundzustand; "
-    "es "
-    "beendet G901."};
+    "es beendet G901."};
 constexpr Sentence brake_late{
     "The path slows down for a lower feed of the next block only behind the end of this one. The limits of "
-    "the "
-    "axes are kept. No effect from G00 to G01 and with the slope HSC.",
+    "the axes are kept. No effect from G00 to G01 and with the slope HSC.",
     "Die Bahn bremst auf einen niedrigeren Vorschub des nächsten Satzes erst hinter dem Ende dieses Satzes. "
-    "Die "
-    "Grenzen der Achsen werden eingehalten. Ohne Wirkung von G00 auf G01 und beim Slope HSC."};
+    "Die Grenzen der Achsen werden eingehalten. Ohne Wirkung von G00 auf G01 und beim Slope HSC."};
 constexpr Sentence brake_here{
     "While G901 is on, the path has slowed down to the next feed at the end of this block after all. It is "
-    "no "
-    "stop: that is G60.",
+    "no stop: that is G60.",
     "Während G901 wirkt, ist die Bahn am Ende dieses Satzes trotzdem schon auf den nächsten Vorschub "
-    "gebremst. "
-    "Es ist kein Halt: das ist G60."};
+    "gebremst. Es ist kein Halt: das ist G60."};
 constexpr Sentence feed_over_way{
     "The feed changes evenly over the way (G193) or the time (G293) of the block.",
     "Der Vorschub ändert sich stetig über den Weg (G193) oder die Zeit (G293) des Satzes."};
@@ -56,11 +51,9 @@ constexpr Sentence corner_deceleration{
     "Vor und hinter Ecken langsamer, nach den Parametern von #CORNER PARAM."};
 constexpr Sentence refused_corner_deceleration{
     "`{word}` cannot be simulated: the control drives slower at corners; write the feed of these blocks, or "
-    "leave "
-    "it out",
+    "leave it out",
     "`{word}` ist nicht simulierbar: die Steuerung fährt an Ecken langsamer; den Vorschub dieser Sätze "
-    "schreiben "
-    "oder es weglassen"};
+    "schreiben oder es weglassen"};
 constexpr Sentence no_corner_deceleration{"Ends G13. This is the initial state.",
                                           "Beendet G13. Das ist der Grundzustand."};
 constexpr Sentence rounding{
@@ -92,35 +85,28 @@ constexpr Sentence slope_number{
     "Die ältere Form von #SLOPE: 0 STEP, 1 TRAPEZ, 2 SIN2, 3 HSC. Andere Zahl: 120178."};
 constexpr Sentence weigh_acceleration{
     "Weighs the accelerations of feed blocks (G01 to G03), in percent of the values of the lists, of the "
-    "axes "
-    "named in the block: an axis keeps its weight until it is named again. Above 100 % up to P-AXIS-00292.",
+    "axes named in the block: an axis keeps its weight until it is named again. Above 100 % up to "
+    "P-AXIS-00292.",
     "Gewichtet die Beschleunigungen von Vorschubsätzen (G01 bis G03) in Prozent der Listenwerte, für die "
-    "Achsen, "
-    "die der Satz nennt: eine Achse behält ihr Gewicht, bis sie wieder genannt wird. Über 100 % bis "
+    "Achsen, die der Satz nennt: eine Achse behält ihr Gewicht, bis sie wieder genannt wird. Über 100 % bis "
     "P-AXIS-00292."};
 constexpr Sentence weigh_accelerations{
     "Weighs the accelerations of feed blocks (G01 to G03) of all axes, in percent of the values of the "
-    "lists. "
-    "Above 100 % up to P-AXIS-00292.",
+    "lists. Above 100 % up to P-AXIS-00292.",
     "Gewichtet die Beschleunigungen von Vorschubsätzen (G01 bis G03) aller Achsen in Prozent der "
-    "Listenwerte. "
-    "Über 100 % bis P-AXIS-00292."};
+    "Listenwerte. Über 100 % bis P-AXIS-00292."};
 constexpr Sentence weigh_ramp{
     "Weighs the ramp times of feed blocks (G01 to G03), in percent of the values of the lists, of the axes "
-    "named "
-    "in the block: an axis keeps its weight until it is named again. Down to P-AXIS-00293, at least "
+    "named in the block: an axis keeps its weight until it is named again. Down to P-AXIS-00293, at least "
     "P-AXIS-00201.",
     "Gewichtet die Rampenzeiten von Vorschubsätzen (G01 bis G03) in Prozent der Listenwerte, für die Achsen, "
-    "die "
-    "der Satz nennt: eine Achse behält ihr Gewicht, bis sie wieder genannt wird. Bis hinab zu P-AXIS-00293, "
-    "mindestens P-AXIS-00201."};
+    "die der Satz nennt: eine Achse behält ihr Gewicht, bis sie wieder genannt wird. Bis hinab zu "
+    "P-AXIS-00293, mindestens P-AXIS-00201."};
 constexpr Sentence weigh_ramps{
     "Weighs the ramp times of feed blocks (G01 to G03) of all axes, in percent of the values of the lists. "
-    "Down "
-    "to P-AXIS-00293, at least P-AXIS-00201.",
+    "Down to P-AXIS-00293, at least P-AXIS-00201.",
     "Gewichtet die Rampenzeiten von Vorschubsätzen (G01 bis G03) aller Achsen in Prozent der Listenwerte. "
-    "Bis "
-    "hinab zu P-AXIS-00293, mindestens P-AXIS-00201."};
+    "Bis hinab zu P-AXIS-00293, mindestens P-AXIS-00201."};
 constexpr Sentence weigh_curve_ramp{
     "Weighs the ramp time of curved paths (P-AXIS-00199) of all axes, in percent.",
     "Gewichtet die Rampenzeit gekrümmter Bahnen (P-AXIS-00199) aller Achsen in Prozent."};
@@ -135,24 +121,19 @@ constexpr Sentence weigh_rapid_ramps{
     "Gewichtet die Rampenzeit von G00 aller Achsen in Prozent der Listenwerte."};
 constexpr Sentence weigh_velocity{
     "Weighs the highest velocity (P-AXIS-00212) of the axes named in the block, in percent: never above the "
-    "value "
-    "of the list; 0 is 1 µm/s.",
+    "value of the list; 0 is 1 µm/s.",
     "Gewichtet die Höchstgeschwindigkeit (P-AXIS-00212) der Achsen, die der Satz nennt, in Prozent: nie über "
-    "den "
-    "Listenwert; 0 ist 1 µm/s."};
+    "den Listenwert; 0 ist 1 µm/s."};
 constexpr Sentence weigh_velocities{
     "Weighs the highest velocity (P-AXIS-00212) of all axes, in percent: never above the values of the "
-    "lists; 0 "
-    "is 1 µm/s.",
+    "lists; 0 is 1 µm/s.",
     "Gewichtet die Höchstgeschwindigkeit (P-AXIS-00212) aller Achsen in Prozent: nie über die Listenwerte; 0 "
-    "ist "
-    "1 µm/s."};
+    "ist 1 µm/s."};
 constexpr Sentence weigh_rapid_velocities{
     "Weighs the velocity of G00 (P-AXIS-00209) of all axes, in percent: never above P-AXIS-00212; 0 is 1 "
     "µm/s.",
     "Gewichtet die Geschwindigkeit von G00 (P-AXIS-00209) aller Achsen in Prozent: nie über P-AXIS-00212; 0 "
-    "ist "
-    "1 µm/s."};
+    "ist 1 µm/s."};
 constexpr Sentence feed_hold{"Weighs the deceleration of a feed hold, which no plan contains.",
                              "Gewichtet die Verzögerung eines Vorschubhalts, den kein Plan enthält."};
 constexpr Sentence look_ahead{
@@ -160,9 +141,8 @@ constexpr Sentence look_ahead{
     "curves. The limit of the chord error is not known, so that it is never applied. Outside of 0 to 14: "
     "20151.",
     "Wählt Funktionen der Vorausschau als Summe: 2 Geschwindigkeit an Ecken, 4 Sehnenfehler, 8 "
-    "Beschleunigung in "
-    "Kurven. Die Grenze des Sehnenfehlers ist nicht bekannt, er wird daher nie begrenzt. Außerhalb von 0 bis "
-    "14: 20151."};
+    "Beschleunigung in Kurven. Die Grenze des Sehnenfehlers ist nicht bekannt, er wird daher nie begrenzt. "
+    "Außerhalb von 0 bis 14: 20151."};
 constexpr Sentence whole_look_ahead{"All functions of the look-ahead again. This is the initial state.",
                                     "Wieder alle Funktionen der Vorausschau. Das ist der Grundzustand."};
 constexpr Sentence look_ahead_of_axes{"Chooses how axes limit the velocity at corners.",
@@ -170,8 +150,7 @@ constexpr Sentence look_ahead_of_axes{"Chooses how axes limit the velocity at co
 constexpr Sentence refused_look_ahead{
     "`{word}` cannot be simulated: the meaning of its values is not documented; `G115` chooses for all axes",
     "`{word}` ist nicht simulierbar: die Bedeutung seiner Werte ist nicht dokumentiert; `G115` wählt für "
-    "alle "
-    "Achsen"};
+    "alle Achsen"};
 constexpr Sentence vector_limit{
     "Limits along the path: VEL in mm/min; ACC, DEC, RADIAL_ACC in mm/min², or mm/s² by P-CHAN-00351. "
     "Without value those of the channel list count. ACC and DEC count on circles only with P-CHAN-00350. ALL "
@@ -181,11 +160,9 @@ constexpr Sentence vector_limit{
     "vier."};
 constexpr Sentence least_corner_velocity{
     "The path passes corners at this velocity at least, in mm/min, even where an axis then takes a larger "
-    "step "
-    "than its list allows. P-CHAN-00009 wins with limited jerk.",
+    "step than its list allows. P-CHAN-00009 wins with limited jerk.",
     "Die Bahn fährt mindestens mit dieser Geschwindigkeit durch Ecken, in mm/min, auch wo eine Achse dann "
-    "einen "
-    "größeren Schritt macht, als ihre Liste erlaubt. Bei begrenztem Ruck hat P-CHAN-00009 Vorrang."};
+    "einen größeren Schritt macht, als ihre Liste erlaubt. Bei begrenztem Ruck hat P-CHAN-00009 Vorrang."};
 constexpr Sentence dynamic_weight{
     "Weighs velocities and accelerations by the load of the machine.",
     "Gewichtet Geschwindigkeiten und Beschleunigungen nach der Last der Maschine."};

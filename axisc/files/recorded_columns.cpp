@@ -22,11 +22,9 @@ constexpr Sentence which_columns{
     "nennen"};
 constexpr Sentence other_cycle{
     "{file}:{line}: {step} ms passed since the line before, which is not a whole number of cycles of {cycle} "
-    "ms; "
-    "record with the NC cycle",
+    "ms; record with the NC cycle",
     "{file}:{line}: seit der Zeile davor vergingen {step} ms, das ist keine ganze Zahl von Zyklen von "
-    "{cycle} ms; "
-    "mit dem NC-Zyklus aufzeichnen"};
+    "{cycle} ms; mit dem NC-Zyklus aufzeichnen"};
 constexpr Sentence no_position{
     R"({file}:{line}: {value} in column "{column}" is too large for a position; delete the row, or name another column)",
     R"({file}:{line}: {value} in Spalte "{column}" ist zu groß für eine Position; die Zeile löschen oder eine andere Spalte nennen)"};

@@ -18,8 +18,7 @@ namespace axisc::says {
 
 constexpr Sentence name{
     "\"{value}\" is not a parameter name; write it as in a list, in lower case, with [] in place of an "
-    "index: "
-    "filter[].order",
+    "index: filter[].order",
     "\"{value}\" ist kein Parametername; Schreibweise wie in Listen, in Kleinbuchstaben, mit [] an der "
     "Stelle eines Index: filter[].order"};
 constexpr Sentence shape{
@@ -179,8 +178,7 @@ constexpr std::array row_keys = {
             "maximum"},
     JsonKey{"symbols", &symbols, optional,
             "Words of an enumeration with their numbers, null where none is documented. A boolean always "
-            "knows FALSE and "
-            "TRUE; its symbols are further words for 0 and 1."},
+            "knows FALSE and TRUE; its symbols are further words for 0 and 1."},
     JsonKey{"number_names", &number_names, optional,
             "What single numbers mean, in words for people; lists cannot write them."},
     JsonKey{"max_length", &max_length, optional, "Of a string, in characters."},

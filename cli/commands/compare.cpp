@@ -25,11 +25,9 @@ constexpr Sentence option_emit{"write the readings that fit as \"design\" of axi
                                "stattdessen die passenden Lesarten als \"design\" für axisc.json ausgeben"};
 constexpr Sentence no_settings{
     "no settings: the recording does not tell one reading that settings have; `axisc compare` without --emit "
-    "says what "
-    "fits",
+    "says what fits",
     "keine Einstellungen: Die Aufzeichnung ergibt keine eindeutige Lesart, die Einstellungen kennen; `axisc "
-    "compare` ohne "
-    "--emit nennt, was passt"};
+    "compare` ohne --emit nennt, was passt"};
 
 }  // namespace axisc::cli::says
 

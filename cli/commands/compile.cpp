@@ -25,8 +25,7 @@ constexpr Sentence unchanged{"{file}: unchanged, axes: {axes}, filters: {filters
 constexpr Sentence no_image{
     "no image was written: no input is an axis list or a machine; name the folder or the files of a machine",
     "es wurde kein Abbild geschrieben: keine Eingabe ist eine Achsliste oder eine Maschine; den Ordner oder "
-    "die "
-    "Dateien einer Maschine angeben"};
+    "die Dateien einer Maschine angeben"};
 constexpr Sentence batch_done{
     "images: {written} written, {unchanged} unchanged, {missing} not written",
     "Abbilder: {written} geschrieben, {unchanged} unverändert, {missing} nicht geschrieben"};

@@ -20,29 +20,23 @@ constexpr Sentence argument_diff{
     "Achsen"};
 constexpr Sentence option_axis{
     "only this axis: its name in programs, its number, or its list; given twice: the first of OLD with the "
-    "second of NEW, "
-    "or two axes of one machine",
+    "second of NEW, or two axes of one machine",
     "nur diese Achse: ihr Name im Programm, ihre Nummer oder ihre Liste; zweimal: die erste von ALT mit der "
-    "zweiten von NEU, "
-    "oder zwei Achsen einer Maschine"};
+    "zweiten von NEU, oder zwei Achsen einer Maschine"};
 constexpr Sentence option_all{
     "also show parameters that one side sets to the default of the other, and those in which axes of one "
-    "machine must "
-    "differ (number, name, drive address)",
+    "machine must differ (number, name, drive address)",
     "auch Parameter zeigen, die eine Seite auf den Standardwert der anderen setzt, und solche, in denen sich "
-    "Achsen einer "
-    "Maschine unterscheiden müssen (Nummer, Name, Antriebsadresse)"};
+    "Achsen einer Maschine unterscheiden müssen (Nummer, Name, Antriebsadresse)"};
 constexpr Sentence one_input{
     "there is nothing to compare {input} with; name a second input, or two of its axes: --axis X --axis Y",
     "es fehlt, womit {input} zu vergleichen ist; eine zweite Eingabe nennen oder zwei ihrer Achsen: --axis X "
     "--axis Y"};
 constexpr Sentence same_list{
     "both sides read {list}, because both start-up lists lead to it; to compare a copy of a folder, keep the "
-    "folder's "
-    "name: backup/listen beside listen, not backup",
+    "folder's name: backup/listen beside listen, not backup",
     "beide Seiten lesen {list}, weil beide Hochlauflisten dorthin führen; um die Kopie eines Ordners zu "
-    "vergleichen, den "
-    "Namen des Ordners behalten: sicherung/listen neben listen, nicht sicherung"};
+    "vergleichen, den Namen des Ordners behalten: sicherung/listen neben listen, nicht sicherung"};
 constexpr Sentence too_many{"`diff` compares two inputs, and at most two axes of them",
                             "`diff` vergleicht zwei Eingaben und höchstens zwei Achsen davon"};
 constexpr Sentence option_feed{"path feed in mm/min for the corner (default: 1000)",

@@ -11,8 +11,7 @@ constexpr Sentence argument_subject{
     "a code (AX3005), its name, a number (P-AXIS-00140), a parameter (filter[0].order), a part of one, or a "
     "message number of the control",
     "ein Code (AX3005), sein Name, eine Nummer (P-AXIS-00140), ein Parameter (filter[0].order), ein Teil "
-    "davon "
-    "oder eine Meldungsnummer der Steuerung"};
+    "davon oder eine Meldungsnummer der Steuerung"};
 constexpr Sentence option_all{"every code in one Markdown document", "alle Codes in einem Markdown-Dokument"};
 
 }  // namespace axisc::cli::says

@@ -35,11 +35,9 @@ constexpr Sentence elsewhere{
     "ebenfalls nennen"};
 constexpr Sentence ends_section{
     "{file} is not formatted: aligned, a line of a list would hold ]]>, which ends its CDATA section; "
-    "rewrite the "
-    "line",
+    "rewrite the line",
     "{file} wird nicht formatiert: ausgerichtet enthielte eine Zeile einer Liste ]]>, was ihren "
-    "CDATA-Abschnitt "
-    "beendet; die Zeile umschreiben"};
+    "CDATA-Abschnitt beendet; die Zeile umschreiben"};
 constexpr Sentence would_change{"{file} would be formatted", "{file} würde formatiert"};
 
 }  // namespace axisc::cli::says

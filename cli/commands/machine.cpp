@@ -18,11 +18,9 @@ constexpr Sentence argument_machine{"a folder, a start-up list, a TwinCAT projec
                                     "Maschinendatei oder eine Liste"};
 constexpr Sentence lists_in_project{
     "the lists of {file} are inside the project, and a machine file can only name files; give the project "
-    "itself, which "
-    "every command takes that takes a machine file",
+    "itself, which every command takes that takes a machine file",
     "die Listen von {file} stehen im Projekt, und eine Maschinendatei kann nur Dateien nennen; das Projekt "
-    "selbst "
-    "angeben, das jeder Befehl anstelle einer Maschinendatei nimmt"};
+    "selbst angeben, das jeder Befehl anstelle einer Maschinendatei nimmt"};
 
 }  // namespace axisc::cli::says
 

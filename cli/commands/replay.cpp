@@ -24,8 +24,7 @@ constexpr Sentence option_output{
 constexpr Sentence recording{
     "{file} is not a recording, is of another version, or is damaged ({status}); take the dump again",
     "{file} ist keine Aufzeichnung, hat eine andere Version oder ist beschädigt ({status}); den Abzug noch "
-    "einmal "
-    "machen"};
+    "einmal machen"};
 constexpr Sentence other_image{
     "{file} was recorded with another image ({status}); give the one that the controller used",
     "{file} wurde mit einem anderen Abbild aufgezeichnet ({status}); das angeben, das die Steuerung "

@@ -301,12 +301,10 @@ std::string rows(std::span<std::string_view const> words) {
 }
 
 std::string readings() {
-  return "\n## Readings\n\n"
-         "`reading` and `cycle_reading` say which departure from the manuals the coefficients were computed "
-         "with\n"
-         "([settings](settings.md), `design`). They are for people and tools: a runtime executes the "
-         "coefficients.\n\n"
-         "| `reading` of a filter | word of the settings |\n|--:|---|\n" +
+  return "\n## Readings\n\n`reading` and `cycle_reading` say which departure from the manuals the "
+         "coefficients were computed with\n([settings](settings.md), `design`). They are for people and "
+         "tools: a runtime executes the coefficients.\n\n| `reading` of a filter | word of the settings "
+         "|\n|--:|---|\n" +
          rows(design::filter_reading_words) +
          "\n| `reading` of a kernel | word of the settings |\n|--:|---|\n" +
          rows(design::kernel_reading_words) + "\n| `cycle_reading` | word of the settings |\n|--:|---|\n" +

@@ -28,11 +28,9 @@ constexpr Sentence cannot_simulate_plane{"the channel has no axes for a circle i
                                          "der Kanal hat keine Achsen für einen Kreis in dieser Ebene"};
 constexpr Sentence cannot_simulate_stop{
     "`{word}` stops at the end of the motion of its block, and this one has none (the control: 20003); "
-    "`G360` "
-    "stops at the end of every block",
+    "`G360` stops at the end of every block",
     "`{word}` hält am Ende der Bewegung seines Satzes, und dieser hat keine (die Steuerung: 20003); `G360` "
-    "hält "
-    "am Ende jedes Satzes"};
+    "hält am Ende jedes Satzes"};
 constexpr Sentence cannot_simulate_no_arc{"`{word}` is only valid in blocks with G02 or G03",
                                           "`{word}` gilt nur in Sätzen mit G02 oder G03"};
 

@@ -17,11 +17,9 @@ constexpr Sentence no_banks{
     "keine Achse eines Kanals in {file} hat einen FIR- oder HSC-Filter, den \"{command}\" schalten könnte"};
 constexpr Sentence no_bank{
     "{file} has no kernels for \"{command}\", which asks for {needed}; it has: {banks}. Name `#FILTER "
-    "{needed}` in "
-    "filter_sets of the machine file",
+    "{needed}` in filter_sets of the machine file",
     "{file} enthält keine Kerne für \"{command}\", also für {needed}; vorhanden: {banks}. `#FILTER {needed}` "
-    "in "
-    "filter_sets der Maschinendatei nennen"};
+    "in filter_sets der Maschinendatei nennen"};
 constexpr Sentence late{
     "--at {cycle}:{command}: there is no such cycle; there are the cycles 0 to {last}",
     "--at {cycle}:{command}: diesen Zyklus gibt es nicht; es gibt die Zyklen 0 bis {last}"};

@@ -18,8 +18,7 @@ constexpr Sentence unknown_subject{
 constexpr Sentence unknown_subject_meant{
     "\"{word}\" is not a code, a message of the control, a parameter or a part of one; did you mean {meant}?",
     "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon; "
-    "war "
-    "{meant} gemeint?"};
+    "war {meant} gemeint?"};
 
 }  // namespace axisc::says
 

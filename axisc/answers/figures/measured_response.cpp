@@ -14,8 +14,7 @@ constexpr Sentence measured_columns{
     "{file} has no column {column}; a measured response has frequency_hz, magnitude_db and possibly "
     "phase_deg",
     "{file} hat keine Spalte {column}; ein gemessener Frequenzgang hat frequency_hz, magnitude_db und "
-    "vielleicht "
-    "phase_deg"};
+    "vielleicht phase_deg"};
 constexpr Sentence measured_nothing{"{file} has no frequency above 0 with a finite magnitude",
                                     "{file} hat keine Frequenz über 0 mit einem endlichen Betrag"};
 

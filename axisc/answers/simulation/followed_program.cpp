@@ -15,11 +15,9 @@ constexpr Sentence simulation_bank{"the image has no kernels for `{command}`",
 
 constexpr Sentence too_many_cycles{
     "here the program exceeds {cycles} NC cycles ({time} s), the most that are simulated; check the feed "
-    "rates and dwells, "
-    "or allow more with --max-cycles",
+    "rates and dwells, or allow more with --max-cycles",
     "hier überschreitet das Programm {cycles} NC-Zyklen ({time} s), mehr werden nicht simuliert; Vorschübe "
-    "und "
-    "Verweilzeiten prüfen oder mit --max-cycles mehr erlauben"};
+    "und Verweilzeiten prüfen oder mit --max-cycles mehr erlauben"};
 
 constexpr Sentence tolerance_exceeded{
     "AX_DEV is not kept in this pass: axis error {error} µm, tolerance {tolerance} µm",

@@ -20,8 +20,7 @@ constexpr Sentence slow_move{
     "--move would take {cycles} NC cycles, and at most {most} are simulated: a higher velocity or a shorter "
     "way is needed",
     "--move würde {cycles} NC-Zyklen dauern, höchstens {most} werden simuliert: nötig ist eine höhere "
-    "Geschwindigkeit "
-    "oder ein kürzerer Weg"};
+    "Geschwindigkeit oder ein kürzerer Weg"};
 
 }  // namespace axisc::says
 

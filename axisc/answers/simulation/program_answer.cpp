@@ -24,8 +24,7 @@ constexpr Sentence from_channel_list{
     "Slope am Anfang: {slope}, nach der Kanalliste; Vorausschau: {blocks} Sätze"};
 constexpr Sentence from_defaults{
     "slope at the beginning: {slope}, look-ahead: {blocks} blocks: the defaults of the control, because no "
-    "channel "
-    "list is named",
+    "channel list is named",
     "Slope am Anfang: {slope}, Vorausschau: {blocks} Sätze: die Standardwerte der Steuerung, weil keine "
     "Kanalliste genannt ist"};
 constexpr Sentence rounded{

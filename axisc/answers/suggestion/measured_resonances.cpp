@@ -21,8 +21,7 @@ constexpr Sentence no_columns{
     "{file} is not a measurement: it needs columns time and two signals, or frequency_hz and magnitude_db, "
     "perhaps with phase_deg and coherence",
     "{file} ist keine Messung: nötig sind die Spalten time und zwei Signale oder frequency_hz und "
-    "magnitude_db, "
-    "vielleicht mit phase_deg und coherence"};
+    "magnitude_db, vielleicht mit phase_deg und coherence"};
 constexpr Sentence choose_columns{
     "{file}: name the input with --in and the output with --out; there are {column}",
     "{file}: mit --in den Eingang und mit --out den Ausgang nennen; es gibt {column}"};
@@ -38,39 +37,30 @@ constexpr Sentence too_large{"{file} is larger than {limit} MiB: record for a sh
 
 constexpr Sentence too_short{
     "{file} is too short to show a resonance: record at least {samples} samples, better 30 s, while noise or "
-    "many "
-    "starts and stops move the axis",
+    "many starts and stops move the axis",
     "{file} ist zu kurz, um eine Resonanz zu zeigen: mindestens {samples} Abtastwerte aufzeichnen, besser 30 "
-    "s, während "
-    "Rauschen oder viele Anfahr- und Bremsvorgänge die Achse bewegen"};
+    "s, während Rauschen oder viele Anfahr- und Bremsvorgänge die Achse bewegen"};
 constexpr Sentence no_peak{
     "{file} shows no resonance: nothing rises by 6 dB; if the machine vibrates, record another signal "
-    "(torque and velocity, "
-    "or setpoint and position of the direct measuring system)",
+    "(torque and velocity, or setpoint and position of the direct measuring system)",
     "{file} zeigt keine Resonanz: nichts ragt um 6 dB heraus; wenn die Maschine schwingt, ein anderes Signal "
     "aufzeichnen (Drehmoment und Geschwindigkeit, oder Sollwert und Position des direkten Messsystems)"};
 constexpr Sentence no_excitation{
     "{file} does not show the resonances: the input has no energy there{place}; record while the input "
-    "contains "
-    "these frequencies: noise or a sine sweep on the torque, or short moves with full acceleration",
+    "contains these frequencies: noise or a sine sweep on the torque, or short moves with full acceleration",
     "{file} zeigt die Resonanzen nicht: der Eingang hat dort keine Energie{place}; aufzeichnen, während der "
-    "Eingang diese "
-    "Frequenzen enthält: Rauschen oder Gleitsinus auf dem Drehmoment, oder kurze Wege mit voller "
-    "Beschleunigung"};
+    "Eingang diese Frequenzen enthält: Rauschen oder Gleitsinus auf dem Drehmoment, oder kurze Wege mit "
+    "voller Beschleunigung"};
 constexpr Sentence incoherent{
     "{file} does not show the resonances: the output follows something else than the input{place} (coherence "
-    "below "
-    "0.8); record longer, with a stronger excitation, and with no other axis or spindle running",
+    "below 0.8); record longer, with a stronger excitation, and with no other axis or spindle running",
     "{file} zeigt die Resonanzen nicht: der Ausgang folgt etwas anderem als dem Eingang{place} (Kohärenz "
-    "unter "
-    "0,8); länger aufzeichnen, stärker anregen, ohne dass eine andere Achse oder Spindel läuft"};
+    "unter 0,8); länger aufzeichnen, stärker anregen, ohne dass eine andere Achse oder Spindel läuft"};
 constexpr Sentence moving{
     "{file} does not show one resonance: the peak{place} is elsewhere in each quarter of the recording; "
-    "record at one "
-    "position of the axes, with one load",
+    "record at one position of the axes, with one load",
     "{file} zeigt nicht eine Resonanz: die Spitze{place} liegt in jedem Viertel der Aufzeichnung woanders; "
-    "in einer "
-    "Stellung der Achsen und mit einer Last aufzeichnen"};
+    "in einer Stellung der Achsen und mit einer Last aufzeichnen"};
 
 }  // namespace axisc::says
 

@@ -9,8 +9,7 @@ namespace axisc::validator::says {
 constexpr Sentence headline{
     R"(gantry "{master}"/"{slave}": the filters of master and slave are {cycles} cycles ({milliseconds} ms) apart)",
     "Gantry „{master}“/„{slave}“: die Filter von Master- und Slaveachse liegen {cycles} Zyklen "
-    "({milliseconds} ms) "
-    "auseinander"};
+    "({milliseconds} ms) auseinander"};
 constexpr Sentence headline_same_delay{
     R"(gantry "{master}"/"{slave}": master and slave have different filters)",
     "Gantry „{master}“/„{slave}“: Master- und Slaveachse haben verschiedene Filter"};

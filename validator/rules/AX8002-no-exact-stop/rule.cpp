@@ -9,11 +9,9 @@ namespace axisc::validator::says {
 constexpr Sentence no_stop{"`G09` does not stop here; `G60` does", "`G09` hält hier nicht; `G60` hält"};
 constexpr Sentence what_it_does{
     "G09 says that the path has slowed down to the next feed by the end of the block while G901 is on; "
-    "without "
-    "G901 that is always so",
+    "without G901 that is always so",
     "G09 bestimmt, dass die Bahn am Ende des Satzes auf den nächsten Vorschub gebremst hat, während G901 "
-    "wirkt; "
-    "ohne G901 ist das immer so"};
+    "wirkt; ohne G901 ist das immer so"};
 constexpr Sentence no_motion{"`G60` stands in a block without motion",
                              "`G60` steht in einem Satz ohne Bewegung"};
 constexpr Sentence no_motion_help{

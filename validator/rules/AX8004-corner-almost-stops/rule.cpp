@@ -14,11 +14,9 @@ constexpr Sentence headline{"through a corner of 90° the path moves with {veloc
                             "durch eine Ecke von 90° fährt die Bahn mit {velocity} mm/s"};
 constexpr Sentence weight{
     "P-AXIS-00013 (`a_trans_weight`) is 0 in axis \"{axis}\": its velocity may change by a T²/tr from one "
-    "cycle to "
-    "the next",
+    "cycle to the next",
     "P-AXIS-00013 (`a_trans_weight`) ist 0 in Achse „{axis}“: ihre Geschwindigkeit darf sich von einem "
-    "Zyklus zum "
-    "nächsten um a T²/tr ändern"};
+    "Zyklus zum nächsten um a T²/tr ändern"};
 constexpr Sentence help{
     "with `getriebe[0].dynamik.a_trans_weight 1000` it would be {velocity} mm/s; the step excites the "
     "machine more",

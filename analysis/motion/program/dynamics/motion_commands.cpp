@@ -15,18 +15,15 @@ constexpr Sentence unknown_slope{
     "`{word}`: expected is [TYPE=STEP], [TYPE=TRAPEZ], [TYPE=SIN2], [TYPE=HSC] or DEFAULT (the control: "
     "120020)",
     "`{word}`: erwartet wird [TYPE=STEP], [TYPE=TRAPEZ], [TYPE=SIN2], [TYPE=HSC] oder DEFAULT (die "
-    "Steuerung: "
-    "120020)"};
+    "Steuerung: 120020)"};
 constexpr Sentence unknown_slope_number{
     "`{word}`: expected is #SET SLOPE PROFIL[0] to [3] (the control: 120178)",
     "`{word}`: erwartet wird #SET SLOPE PROFIL[0] bis [3] (die Steuerung: 120178)"};
 constexpr Sentence unknown_vector_limit{
     "`{word}`: expected is ON or OFF with VEL, ACC, DEC and RADIAL_ACC, each without value or with one above "
-    "0; "
-    "other limits are not simulated",
+    "0; other limits are not simulated",
     "`{word}`: erwartet wird ON oder OFF mit VEL, ACC, DEC und RADIAL_ACC, jeweils ohne Wert oder mit einem "
-    "über "
-    "0; andere Grenzen werden nicht simuliert"};
+    "über 0; andere Grenzen werden nicht simuliert"};
 constexpr Sentence unknown_corner_velocity{
     "`{word}`: expected is ON, ON [velocity] with a velocity of at least 0 in mm/min, or OFF",
     "`{word}`: erwartet wird ON, ON [Geschwindigkeit] mit mindestens 0 in mm/min, oder OFF"};
