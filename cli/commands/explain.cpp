@@ -8,10 +8,10 @@
 namespace axisc::cli::says {
 
 constexpr Sentence argument_subject{
-    "a code (AX3005), its name, a number (P-AXIS-00140), a parameter (filter[0].order), a part of one, or a "
-    "message number of the control",
+    "a code (AX3005), its name, a number (P-AXIS-00140), a parameter (filter[0].order), a part of one, a "
+    "message number of the control, or a word of NC programs (G60, #SLOPE)",
     "ein Code (AX3005), sein Name, eine Nummer (P-AXIS-00140), ein Parameter (filter[0].order), ein Teil "
-    "davon oder eine Meldungsnummer der Steuerung"};
+    "davon, eine Meldungsnummer der Steuerung oder ein Wort von NC-Programmen (G60, #SLOPE)"};
 constexpr Sentence option_all{"every code in one Markdown document", "alle Codes in einem Markdown-Dokument"};
 
 }  // namespace axisc::cli::says

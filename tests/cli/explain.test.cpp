@@ -57,7 +57,8 @@ TEST_CASE("an unknown word is met with a suggestion") {
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
     CHECK(outcome.err == "axisc: error: \"" + word +
-                             "\" is not a code, a message of the control, a parameter or a part of one; " +
+                             "\" is not a code, a message of the control, a parameter or a part of one, "
+                             "nor a word for path dynamics (G60, #SLOPE); " +
                              expected + "\n");
   };
   check("filter[0].odrer", "did you mean filter[0].order?");

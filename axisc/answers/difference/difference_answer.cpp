@@ -155,12 +155,15 @@ void add_remarks(std::vector<Block>& blocks, MachineDifference const& difference
 
 }  // namespace
 
+std::pair<Words, Words> sides_of(ShownDifference const& shown) {
+  if (shown.difference.of_one_machine) return {as_given(shown.before), as_given(shown.after)};
+  return {labels::before, says::after};
+}
+
 Table side_table(ShownDifference const& shown, Words what) {
-  bool const of_axes = shown.difference.of_one_machine;
+  auto const [before, after] = sides_of(shown);
   return {.key = {},
-          .columns = {head_column({}, std::move(what)),
-                      column({}, of_axes ? as_given(shown.before) : labels::before),
-                      column({}, of_axes ? as_given(shown.after) : says::after)},
+          .columns = {head_column({}, std::move(what)), column({}, before), column({}, after)},
           .rows = {},
           .audience = Audience::people};
 }

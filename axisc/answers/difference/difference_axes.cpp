@@ -88,7 +88,8 @@ class AxisParts {
     part.parameters.rows.push_back(parameter_row(shown_, change));
     auto const& [before, after] = std::tie(change.before.place, change.after.place);
     if (before.empty() && after.empty()) return;
-    auto const& label = part.parameters.columns[before.empty() ? 2 : 1].label;
+    auto const sides = sides_of(shown_);
+    auto const& label = before.empty() ? sides.second : sides.first;
     part.places.rows.push_back(
         {part.axes.front(), change.name,
          before.empty() || after.empty()

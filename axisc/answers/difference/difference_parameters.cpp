@@ -11,6 +11,7 @@ constexpr Sentence not_set{"not set", "nicht gesetzt"};
 constexpr Sentence with_default{"{value} (default)", "{value} (Standardwert)"};
 constexpr Sentence resolved{"{value} = {number}", "{value} = {number}"};
 constexpr Sentence with_meaning{"{value} [{meaning}]", "{value} [{meaning}]"};
+constexpr Sentence change{"{before} → {after}", "{before} → {after}"};
 constexpr Sentence with_unit{"{value} {unit}", "{value} {unit}"};
 constexpr Sentence numbered{"{number}: {meaning}", "{number}: {meaning}"};
 constexpr Sentence needs_restart{"{meaning}; takes effect after a restart of the control",
@@ -46,13 +47,19 @@ Wording meaning_of(schema::Parameter const& row, ComparedValue const& value) {
   return row.is_enumeration() && is_plain_number ? value.value.text : std::string();
 }
 
-Value value_of(ParameterChange const& change, ComparedValue const& value) {
+/// Of the second value alone: both have the same.
+enum class UnitOf : std::uint8_t { left_out, shown };
+
+Value value_of(ParameterChange const& change, ComparedValue const& value, UnitOf unit) {
   if (value.state == ValueState::missing) return Words(says::not_set);
   auto const text = value.state == ValueState::standard ? default_of(*change.row, value) : value.text;
   Value told = text.empty() ? "\"\"" : text;
   if (!value.resolved.empty()) told = Words(says::resolved, {{"value", told}, {"number", value.resolved}});
   if (auto const meaning = meaning_of(*change.row, value); !meaning.empty()) {
     told = Words(says::with_meaning, {{"value", told}, {"meaning", meaning}});
+  }
+  if (unit == UnitOf::shown && !change.unit.empty()) {
+    told = Words(says::with_unit, {{"value", told}, {"unit", validator::unit_name(change.unit)}});
   }
   return value.state == ValueState::standard ? Words(says::with_default, {{"value", told}}) : told;
 }
@@ -98,17 +105,20 @@ Row data_row(ParameterChange const& change) {
 }  // namespace
 
 Table parameter_table(ShownDifference const& shown) {
-  auto table = side_table(shown, labels::parameter);
-  table.columns.push_back(column({}, labels::meaning));
-  return table;
+  // Both values in one column: a table that is too wide for a terminal is divided between columns.
+  auto const [before, after] = sides_of(shown);
+  return {.key = {},
+          .columns = {head_column({}, labels::parameter),
+                      column({}, Words(says::change, {{"before", before}, {"after", after}})),
+                      column({}, labels::meaning)},
+          .rows = {},
+          .audience = Audience::people};
 }
 
 Row parameter_row(ShownDifference const& shown, ParameterChange const& change) {
-  auto after = value_of(change, change.after);
-  if (!change.unit.empty()) {
-    after = Words(says::with_unit, {{"value", after}, {"unit", validator::unit_name(change.unit)}});
-  }
-  return {change.name, value_of(change, change.before), std::move(after),
+  return {change.name,
+          Words(says::change, {{"before", value_of(change, change.before, UnitOf::left_out)},
+                               {"after", value_of(change, change.after, UnitOf::shown)}}),
           meaning_of(change, !shown.difference.of_one_machine)};
 }
 

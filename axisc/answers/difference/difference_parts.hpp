@@ -3,12 +3,15 @@
 
 #include "axisc/answers/difference/difference_answer.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace axisc {
 
-/// A table for people: what, and how it is on either side. The sides are called before and after, or as the
-/// two axes of one machine.
+/// What the sides are called: before and after, or as the two axes of one machine.
+[[nodiscard]] std::pair<presentation::Words, presentation::Words> sides_of(ShownDifference const& shown);
+
+/// A table for people: what, and how it is on either side.
 [[nodiscard]] presentation::Table side_table(ShownDifference const& shown, presentation::Words what);
 
 /// A row of side_table() where the sides differ.

@@ -11,14 +11,15 @@
 namespace axisc::says {
 
 constexpr Sentence unknown_subject{
-    "\"{word}\" is not a code, a message of the control, a parameter or a part of one; `axisc explain --all` "
-    "lists the codes",
-    "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon; "
-    "`axisc explain --all` nennt die Codes"};
+    "\"{word}\" is not a code, a message of the control, a parameter or a part of one, nor a word for path "
+    "dynamics (G60, #SLOPE); `axisc explain --all` lists the codes",
+    "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon, "
+    "auch kein Wort zur Bahndynamik (G60, #SLOPE); `axisc explain --all` nennt die Codes"};
 constexpr Sentence unknown_subject_meant{
-    "\"{word}\" is not a code, a message of the control, a parameter or a part of one; did you mean {meant}?",
-    "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon; "
-    "war {meant} gemeint?"};
+    "\"{word}\" is not a code, a message of the control, a parameter or a part of one, nor a word for path "
+    "dynamics (G60, #SLOPE); did you mean {meant}?",
+    "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon, "
+    "auch kein Wort zur Bahndynamik (G60, #SLOPE); war {meant} gemeint?"};
 
 }  // namespace axisc::says
 

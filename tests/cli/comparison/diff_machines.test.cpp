@@ -312,7 +312,7 @@ TEST_CASE("lists with errors are compared nevertheless, but not what they do to 
   auto const outcome = run_axisc({"diff", "old", "new"}, there);
   CHECK(outcome.status == 1);
   CHECK_THAT(outcome.err, Contains("AX1005"));
-  CHECK_THAT(outcome.out, Contains("filter_fir.order  10      14"));
+  CHECK_THAT(outcome.out, Contains("filter_fir.order  10 → 14"));
   CHECK_THAT(outcome.out, !Contains("settling"));
   CHECK_THAT(outcome.out, Contains("because a list has errors"));
 }
