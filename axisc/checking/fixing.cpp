@@ -1,6 +1,7 @@
 #include "axisc/checking/fixing.hpp"
 
 #include "axisc/environment/codes.hpp"
+#include "axisc/files/disk_files.hpp"
 #include "diagnostics/fix_batch.hpp"
 
 #include <algorithm>
@@ -124,7 +125,10 @@ class Fixer {
     SourceSet sources;
     EditedFiles files(result_.edited, workspace_.disk());
     auto const found = validator::check(files, path, options_of(path), sources);
-    if (found.unreadable) return false;
+    if (found.unreadable) {
+      result_.failures.push_back(unreadable(path, *found.unreadable));
+      return false;
+    }
     if (!whole_programs_ && repairs_excerpt(found, sources)) {
       whole_programs_ = true;
       return round(path, left_out);

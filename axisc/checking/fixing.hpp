@@ -19,6 +19,7 @@ struct FixedInputs {
   EditedBytes edited;    ///< to be read instead of the files; standard input is here in any case
   EditedBytes original;  ///< the bytes before, of the same paths
   FixFacts facts;
+  std::vector<Failure> failures = {};  ///< inputs that cannot be read
 };
 
 /// A fix that leads to another finding, or does not end its own, is taken back. Findings in the baseline, and

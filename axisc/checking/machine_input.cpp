@@ -16,18 +16,22 @@ std::optional<validator::CheckResult> check_machine(Workspace& workspace, std::s
   return check_machine(workspace, path, errors, sources, loaded);
 }
 
+validator::LoadedMachine loaded_machine(Workspace& workspace, std::string const& path, SourceSet& sources) {
+  auto read = validator::load(workspace.files(), path, workspace.options_of(path), sources);
+  if (auto const* const error = std::get_if<configuration::FileError>(&read)) throw unreadable(path, *error);
+  return std::get<validator::LoadedMachine>(std::move(read));
+}
+
 std::optional<validator::CheckResult> check_machine(Workspace& workspace, std::string const& path,
                                                     ErrorSink const& errors, SourceSet& sources,
                                                     std::optional<validator::LoadedMachine>& loaded) {
-  auto const options = workspace.options_of(path);
-  auto& files = workspace.files();
-  auto read = validator::load(files, path, options, sources);
-  if (auto const* const error = std::get_if<configuration::FileError>(&read)) throw unreadable(path, *error);
-  loaded = std::get<validator::LoadedMachine>(std::move(read));
+  loaded = loaded_machine(workspace, path, sources);
   std::vector<Finding> found;
-  auto result = validator::check(*loaded, files, options, sources, [&found](Finding& finding) {
-    if (finding.severity == Severity::error) found.push_back(std::move(finding));
-  });
+  auto result = validator::check(*loaded, workspace.files(), workspace.options_of(path), sources,
+                                 [&found](Finding& finding) {
+                                   if (finding.severity == Severity::error)
+                                     found.push_back(std::move(finding));
+                                 });
   if (!found.empty()) {
     errors.take(found, sources);
     return std::nullopt;

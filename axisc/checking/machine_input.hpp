@@ -17,6 +17,10 @@ struct ErrorSink {
   std::function<void(std::vector<Finding> const&, SourceSet const&)> take;
 };
 
+/// Reads a machine with the settings that apply to it, unchecked. Failure where it cannot be read.
+[[nodiscard]] validator::LoadedMachine loaded_machine(Workspace& workspace, std::string const& path,
+                                                      SourceSet& sources);
+
 /// Checks with the settings that apply to the input. If findings prevent a machine, `errors` takes them and
 /// none is returned; everything else that `compile` refuses is a Failure, except an unknown cycle time. The
 /// machine of the result reads its NC programs again.

@@ -1,5 +1,6 @@
 #include "axisc/answers/machine/machine_answer.hpp"
-#include "axisc/files/disk_files.hpp"
+#include "axisc/checking/checking_options.hpp"
+#include "axisc/checking/machine_input.hpp"
 #include "axisc/workspace/inputs.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
@@ -9,7 +10,6 @@
 #include "cli/output/answer_output.hpp"
 
 #include <algorithm>
-#include <variant>
 
 namespace axisc::cli::says {
 
@@ -39,11 +39,7 @@ ExitStatus machine(Invocation const& invocation) {
   auto const path = machine_input(*input);
   Workspace workspace(overrides_with(cycle_time));
   SourceSet sources;
-  auto const loaded = validator::load(workspace.files(), path, workspace.overrides().options, sources);
-  if (auto const* const error = std::get_if<configuration::FileError>(&loaded)) {
-    throw unreadable(path, *error);
-  }
-  auto const& machine = std::get<validator::LoadedMachine>(loaded);
+  auto const machine = loaded_machine(workspace, path, sources);
   bool const is_project = std::any_of(machine.lists.begin(), machine.lists.end(), [&](auto const& named) {
     return sources[named.list.source].is_window();
   });

@@ -19,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <utility>
-#include <variant>
 
 namespace axisc::says {
 
@@ -42,15 +41,12 @@ constexpr std::ptrdiff_t drawn_without_more = 5;
 
 Page machine_page(PageSubject const& subject) {
   auto const language = subject.language;
+  Workspace workspace(subject.files, subject.options);
   SourceSet sources;
-  auto const loaded =
-      validator::load(subject.files, subject.machine, subject.options(subject.machine), sources);
-  if (auto const* const error = std::get_if<configuration::FileError>(&loaded)) {
-    throw unreadable(subject.machine, *error);
-  }
+  auto const loaded = loaded_machine(workspace, subject.machine, sources);
   auto const name = std::string(validator::file_name(subject.machine));
   auto const title = say(says::title_machine, language, {{"machine", name}});
-  auto const answer = machine_answer(std::get<validator::LoadedMachine>(loaded), sources);
+  auto const answer = machine_answer(loaded, sources);
   return {.title = title, .html = write(answer, presentation::Format::html, {.language = language})};
 }
 

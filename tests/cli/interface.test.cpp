@@ -168,7 +168,7 @@ TEST_CASE("axisc.h says what is wrong with a question") {
   CHECK(wrong("soon").find("JSON object") != std::string::npos);
   CHECK(wrong(R"({"question": "weather"})").find("machine, machine_of, contour") != std::string::npos);
   CHECK(wrong(R"({"question": "machine", "file": "x"})").find("\"file\"") != std::string::npos);
-  CHECK(wrong(R"({"question": "machine", "input": 1})").find("\"input\"") != std::string::npos);
+  CHECK(wrong(R"({"question": "machine", "input": 1})").find("texts") != std::string::npos);
   CHECK(wrong(R"({"question": "picture", "input": ".", "kind": "cat"})").find("response, step") !=
         std::string::npos);
   opened.call(axisc_answer,
@@ -177,6 +177,11 @@ TEST_CASE("axisc.h says what is wrong with a question") {
   CHECK_FALSE(opened.error().empty());
   CHECK(Opened(R"({"cycle_time": "soon"})").status == AXISC_FAILED);
   CHECK(Opened("{").status == AXISC_FAILED);
+  CHECK(Opened(R"({"language": "fr"})").error().find("en, de") != std::string::npos);
+  CHECK(Opened(R"({"lang": "de"})").error().find("cycle_time") != std::string::npos);
+  CHECK(opened.call(axisc_fix, samples + "/none.lis").empty());
+  CHECK(opened.status == AXISC_FAILED);
+  CHECK(opened.error().find("none.lis") != std::string::npos);
 }
 
 TEST_CASE("axisc.h speaks the protocol of language servers") {

@@ -42,7 +42,7 @@ int axisc_read(axisc_workspace* workspace, char const* path, axisc_bytes* bytes)
 /* Findings of a file in its machine, or of everything in a folder: JSON, as `axisc lint --format json`. */
 int axisc_check(axisc_workspace* workspace, char const* path, axisc_bytes* findings);
 /* Repairs what `axisc lint --fix` repairs. The new bytes are unsaved text; `changed` becomes a JSON array of
- * their paths. */
+ * their paths. After AXISC_FAILED nothing has changed. */
 int axisc_fix(axisc_workspace* workspace, char const* path, axisc_bytes* changed);
 /* The image of the machine that the file belongs to, or of the only one in a folder. */
 int axisc_compile(axisc_workspace* workspace, char const* path, axisc_bytes* image);

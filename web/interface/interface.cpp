@@ -9,11 +9,12 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/failure_line.hpp"
 #include "axisc/files/disk_files.hpp"
-#include "axisc/settings/language_word.hpp"
 #include "editor/session.hpp"
+#include "web/interface/asked.hpp"
 #include "web/interface/axisc.h"
 #include "web/interface/questions.hpp"
 
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -34,9 +35,12 @@ struct axisc_workspace {
   std::unique_ptr<editor::Session> session;
   std::string error;
 
+  enum class Wanted : std::uint8_t { findings, machine };
+
   /// Files and settings as they are now.
-  [[nodiscard]] std::unique_ptr<Workspace> now() const {
+  [[nodiscard]] std::unique_ptr<Workspace> now(Wanted wanted = Wanted::machine) const {
     Overrides overrides;
+    overrides.options.machine = wanted == Wanted::machine;
     overrides.options.cycle_time_otherwise = asked_cycle_time(cycle_time);
     auto made = std::make_unique<Workspace>(std::move(overrides));
     made->put_all(unsaved);
@@ -103,9 +107,12 @@ int axisc_open(char const* options, axisc_workspace** workspace) {
   auto& opened = **workspace;
   return call(opened, nullptr, [&]() -> int {
     if (options == nullptr) return AXISC_OK;
-    auto const read = nlohmann::json::parse(options);
-    opened.language = parse_language(read.value("language", "en")).value_or(Language::english);
-    if (auto const time = read.value("cycle_time", ""); !time.empty()) opened.cycle_time = time;
+    static constexpr std::array languages = {std::pair(std::string_view("en"), Language::english),
+                                             std::pair(std::string_view("de"), Language::german)};
+    web::Asked const asked(options);
+    asked.refuse_others("language cycle_time");
+    opened.language = asked.word("language", languages);
+    if (auto const time = asked.text("cycle_time"); !time.empty()) opened.cycle_time = time;
     static_cast<void>(asked_cycle_time(opened.cycle_time));
     return AXISC_OK;
   });
@@ -141,7 +148,7 @@ int axisc_read(axisc_workspace* workspace, char const* path, axisc_bytes* bytes)
 
 int axisc_check(axisc_workspace* workspace, char const* path, axisc_bytes* findings) {
   return call(*workspace, findings, [&]() -> int {
-    auto const now = workspace->now();
+    auto const now = workspace->now(axisc_workspace::Wanted::findings);
     auto const inputs = inputs_of(*now, path);
     IdentityPaths identity_paths(now->settings());
     std::string text;
@@ -172,11 +179,13 @@ int axisc_check(axisc_workspace* workspace, char const* path, axisc_bytes* findi
 
 int axisc_fix(axisc_workspace* workspace, char const* path, axisc_bytes* changed) {
   return call(*workspace, changed, [&]() -> int {
-    auto const now = workspace->now();
+    auto const now = workspace->now(axisc_workspace::Wanted::findings);
     auto const inputs = inputs_of(*now, path);
     IdentityPaths identity_paths(now->settings());
     auto const fixed =
         fix_inputs(*now, inputs.paths, FixChoice::safe, {}, identity_paths, ChangeableFiles(inputs.named));
+    if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
+    if (!fixed.failures.empty()) throw Failure(fixed.failures.front());
     auto paths = nlohmann::json::array();
     for (auto const& [file, before] : fixed.original) {
       auto const& after = fixed.edited.at(file);
