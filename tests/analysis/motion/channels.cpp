@@ -4,6 +4,9 @@
 #include "support/catch.hpp"
 
 #include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace axisc::test {
 namespace {
@@ -41,15 +44,7 @@ struct Ignore final : motion::PathListener {
 
 void interpret(motion::ProgramChannel const& channel, motion::PathListener& listener,
                std::string const& program) {
-  motion::ProgramInterpreter interpreter(channel, listener, [](motion::ProgramProblem const& problem) {
-    FAIL(problem.line_text << ": " << render(problem.finding.message, Language::english));
-  });
-  std::istringstream lines(program);
-  std::uint32_t offset = 0;
-  for (std::string line; std::getline(lines, line); offset += static_cast<std::uint32_t>(line.size() + 1)) {
-    interpreter.line(line, offset);
-  }
-  interpreter.finish();
+  CHECK(interpreted(channel, listener, program).first == std::vector<std::string>());
 }
 
 }  // namespace
@@ -149,6 +144,24 @@ Recorded simulated(machine::Machine machine, std::string const& program, bool co
   interpret(channel, simulation, program);
   CHECK_FALSE(simulation.failure().has_value());
   return recorded;
+}
+
+std::pair<std::vector<std::string>, std::optional<double>> interpreted(motion::ProgramChannel const& channel,
+                                                                       motion::PathListener& listener,
+                                                                       std::string const& program) {
+  std::vector<std::string> problems;
+  motion::ProgramInterpreter interpreter(channel, listener, [&](motion::ProgramProblem const& problem) {
+    problems.push_back(fmt::format("{}:{} {} {}", problem.line, problem.span.begin + 1,
+                                   code_text(problem.finding.code),
+                                   problem.line_text.substr(problem.span.begin, problem.span.size())));
+  });
+  std::istringstream in(program);
+  std::uint32_t offset = 0;
+  for (std::string line; std::getline(in, line); offset += static_cast<std::uint32_t>(line.size() + 1)) {
+    if (!interpreter.line(line, offset)) break;
+  }
+  interpreter.finish();
+  return {std::move(problems), interpreter.rounding()};
 }
 
 }  // namespace axisc::test

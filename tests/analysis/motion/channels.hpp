@@ -8,7 +8,9 @@
 #include "configuration/machine/machine.hpp"
 #include "validator/commands/command_check.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace axisc::test {
@@ -54,5 +56,9 @@ struct Recorded final : motion::SimulationListener {
 /// Runs a program; fails the test where it has a problem.
 [[nodiscard]] Recorded simulated(machine::Machine machine, std::string const& program,
                                  bool constant_velocity = false);
+
+/// Runs a program; its problems as "line:column code word", and by how much the control rounds corners.
+[[nodiscard]] std::pair<std::vector<std::string>, std::optional<double>> interpreted(
+    motion::ProgramChannel const& channel, motion::PathListener& listener, std::string const& program);
 
 }  // namespace axisc::test

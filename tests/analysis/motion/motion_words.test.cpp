@@ -7,7 +7,7 @@
 #include "support/catch.hpp"
 
 #include <set>
-#include <sstream>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -43,19 +43,8 @@ Followed follow(std::string const& program, machine::ChannelDynamics const& dyna
                                .read_filter_command = test::filter_command_reader({}),
                                .dynamics = dynamics,
                                .sharp_corners = sharp_corners};
-  ProgramInterpreter interpreter(channel, blocks, [&](ProgramProblem const& problem) {
-    result.problems.push_back(fmt::format("{}:{} {} {}", problem.line, problem.span.begin + 1,
-                                          code_text(problem.finding.code),
-                                          problem.line_text.substr(problem.span.begin, problem.span.size())));
-  });
-  std::istringstream in(program);
-  std::uint32_t offset = 0;
-  for (std::string line; std::getline(in, line); offset += static_cast<std::uint32_t>(line.size() + 1)) {
-    if (!interpreter.line(line, offset)) break;
-  }
-  interpreter.finish();
+  std::tie(result.problems, result.rounding) = test::interpreted(channel, blocks, program);
   result.blocks = blocks.all;
-  result.rounding = interpreter.rounding();
   return result;
 }
 

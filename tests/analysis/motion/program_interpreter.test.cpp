@@ -2,8 +2,6 @@
 #include "channels.hpp"
 #include "support/catch.hpp"
 
-#include <sstream>
-
 #include <fmt/format.h>
 
 namespace axisc::motion {
@@ -36,17 +34,7 @@ Interpreted interpret(std::string const& program, bool inch = false) {
                                .inch = inch,
                                .cycle_time = {},
                                .read_filter_command = test::filter_command_reader({})};
-  ProgramInterpreter interpreter(channel, script, [&](ProgramProblem const& problem) {
-    result.problems.push_back(fmt::format("{}:{} {} {}", problem.line, problem.span.begin + 1,
-                                          code_text(problem.finding.code),
-                                          problem.line_text.substr(problem.span.begin, problem.span.size())));
-  });
-  std::istringstream in(program);
-  std::uint32_t offset = 0;
-  for (std::string line; std::getline(in, line); offset += static_cast<std::uint32_t>(line.size() + 1)) {
-    if (!interpreter.line(line, offset)) break;
-  }
-  interpreter.finish();
+  result.problems = test::interpreted(channel, script, program).first;
   result.path = script.lines;
   return result;
 }
