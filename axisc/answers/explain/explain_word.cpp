@@ -10,7 +10,7 @@ constexpr Sentence word_refused{"refused by `simulate` (AX9008)", "wird von `sim
 constexpr Sentence word_in_block{"counts in its block", "gilt in seinem Satz"};
 constexpr Sentence word_modal{"counts until another word changes it", "gilt, bis ein anderes Wort es ändert"};
 constexpr Sentence word_facts{"{use}; {reach}", "{use}; {reach}"};
-constexpr Sentence word_form{"`{form}`", "`{form}`"};
+constexpr Sentence word_form{"Written as `{form}`.", "Schreibweise: `{form}`."};
 constexpr Sentence word_source{"Source: {address}", "Quelle: {address}"};
 
 }  // namespace axisc::says

@@ -24,8 +24,9 @@ constexpr Sentence tolerance_exceeded{
     "AX_DEV wird in diesem Durchgang nicht eingehalten: Achsfehler {error} µm, Toleranz {tolerance} µm"};
 
 constexpr Sentence not_computed{
-    "the simulation does not compute `{parameter}` ({number}): times and velocities are those without it",
-    "die Simulation rechnet `{parameter}` ({number}) nicht: Zeiten und Geschwindigkeiten sind die ohne ihn"};
+    "the simulation leaves `{parameter}` ({number}) out: times and velocities are those without it",
+    "die Simulation berücksichtigt `{parameter}` ({number}) nicht: Zeiten und Geschwindigkeiten gelten ohne "
+    "diesen Parameter"};
 
 constexpr Sentence not_simulated_first{"only its first occurrence is named",
                                        "nur das erste Vorkommen wird genannt"};

@@ -20,12 +20,12 @@ constexpr Sentence lag{"lag", "Nachlauf"};
 constexpr Sentence filters{"filters", "Filter"};
 constexpr Sentence start{"as at start-up", "wie beim Hochlauf"};
 constexpr Sentence from_channel_list{
-    "slope at the beginning: {slope}, by the channel list; look-ahead: {blocks} blocks",
-    "Slope am Anfang: {slope}, nach der Kanalliste; Vorausschau: {blocks} Sätze"};
+    "slope {slope} at the beginning, look-ahead of {blocks} blocks, as the channel list says",
+    "Slope {slope} am Anfang, Vorausschau über {blocks} Sätze, nach der Kanalliste"};
 constexpr Sentence from_defaults{
-    "slope at the beginning: {slope}, look-ahead: {blocks} blocks: the defaults of the control, because no "
-    "channel list is named",
-    "Slope am Anfang: {slope}, Vorausschau: {blocks} Sätze: die Standardwerte der Steuerung, weil keine "
+    "slope {slope} at the beginning, look-ahead of {blocks} blocks: defaults of the control, as no channel "
+    "list is named",
+    "Slope {slope} am Anfang, Vorausschau über {blocks} Sätze: Standardwerte der Steuerung, weil keine "
     "Kanalliste genannt ist"};
 constexpr Sentence rounded{
     "corners are followed as they are; the control rounds them, by {bound} at most",

@@ -167,7 +167,8 @@ TEST_CASE(
              Catch::Matchers::Contains("warning[AX9007]") && Catch::Matchers::Contains("x.lis:1:1") &&
                  Catch::Matchers::Contains("P-AXIS-00561") && Catch::Matchers::Contains("sda.lis:2:1") &&
                  Catch::Matchers::Contains("P-CHAN-00245"));
-  CHECK_THAT(listed.out, Catch::Matchers::Contains("slope at the beginning: TRAPEZ, by the channel list"));
+  CHECK_THAT(listed.out, Catch::Matchers::Contains(
+                             "slope TRAPEZ at the beginning, look-ahead of 120 blocks, as the channel list"));
   folder.write("alone.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]})");
-  CHECK_THAT(simulate("alone.json").out, Catch::Matchers::Contains("because no channel list is named"));
+  CHECK_THAT(simulate("alone.json").out, Catch::Matchers::Contains("as no channel list is named"));
 }
