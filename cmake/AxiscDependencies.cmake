@@ -1,12 +1,4 @@
 # Everything comes from packages; setup.sh names the Debian ones, vcpkg.json the same for other systems.
-# fmt is a library; a static program and builds for other systems, for which Debian has none, compile its
-# headers.
-add_library(axisc_fmt INTERFACE)
-if(AXISC_STATIC OR AXISC_COMPILE_LIBRARIES)
-  target_link_libraries(axisc_fmt INTERFACE fmt::fmt-header-only)
-else()
-  target_link_libraries(axisc_fmt INTERFACE fmt::fmt)
-endif()
 if(AXISC_COMPILE_LIBRARIES)
   include(AxiscSources)
   return()
@@ -16,7 +8,9 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(Threads REQUIRED)
-find_package(valijson REQUIRED)
+if(AXISC_BUILD_TESTS)
+  find_package(valijson REQUIRED)
+endif()
 find_package(PkgConfig REQUIRED)
 if(AXISC_STATIC)
   set(CMAKE_FIND_LIBRARY_SUFFIXES .a)

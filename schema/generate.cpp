@@ -1,6 +1,6 @@
-// axisc_schema_generator DATA SCHEMA DESCRIPTIONS OTHER_LISTS TABLES VOCABULARY DESCRIPTION_TABLES
-// KIND_TABLES: turns axis-parameters.json, axis-descriptions.json and other-lists.json into constant tables
-// while building. Exit status 1 and one line per mistake when the data is wrong.
+// axisc_schema_generator DATA DESCRIPTIONS OTHER_LISTS TABLES VOCABULARY DESCRIPTION_TABLES KIND_TABLES: turns
+// axis-parameters.json, axis-descriptions.json and other-lists.json into constant tables while building. Exit
+// status 1 and one line per mistake when the data is wrong.
 #include "schema/generator/catalogue_data.hpp"
 #include "schema/generator/description_writer.hpp"
 #include "schema/generator/table_writer.hpp"
@@ -31,21 +31,20 @@ void write_file(std::string const& path, std::string const& text) {
 
 int main(int argc, char* argv[]) {
   std::vector<std::string> const arguments(argv, argv + argc);
-  if (arguments.size() != 9) {
-    std::cerr << "usage: axisc_schema_generator DATA SCHEMA DESCRIPTIONS OTHER_LISTS TABLES VOCABULARY "
+  if (arguments.size() != 8) {
+    std::cerr << "usage: axisc_schema_generator DATA DESCRIPTIONS OTHER_LISTS TABLES VOCABULARY "
                  "DESCRIPTION_TABLES KIND_TABLES\n";
     return 2;
   }
   try {
-    auto const parameters =
-        axisc::schema::generator::read_catalogue(read_file(arguments[1]), read_file(arguments[2]));
+    auto const parameters = axisc::schema::generator::read_catalogue(read_file(arguments[1]));
     auto const descriptions =
-        axisc::schema::generator::write_descriptions(parameters, read_file(arguments[3]));
-    auto const kinds = axisc::schema::generator::read_kinds(read_file(arguments[4]));
-    write_file(arguments[5], axisc::schema::generator::write_tables(parameters));
-    write_file(arguments[6], axisc::schema::generator::write_vocabulary(parameters));
-    write_file(arguments[7], descriptions);
-    write_file(arguments[8], axisc::schema::generator::write_kinds(kinds, parameters));
+        axisc::schema::generator::write_descriptions(parameters, read_file(arguments[2]));
+    auto const kinds = axisc::schema::generator::read_kinds(read_file(arguments[3]));
+    write_file(arguments[4], axisc::schema::generator::write_tables(parameters));
+    write_file(arguments[5], axisc::schema::generator::write_vocabulary(parameters));
+    write_file(arguments[6], descriptions);
+    write_file(arguments[7], axisc::schema::generator::write_kinds(kinds, parameters));
   } catch (std::exception const& error) {
     std::cerr << arguments[1] << ":\n" << error.what() << '\n';
     return 1;

@@ -12,37 +12,9 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
 
 namespace axisc::schema::generator {
 namespace {
-
-nlohmann::json parse_json(std::string const& text, std::string_view what) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (nlohmann::json::parse_error const& error) {
-    throw DataError(std::string(what) + ": " + error.what());
-  }
-}
-
-void check_against_schema(nlohmann::json const& data, nlohmann::json const& schema_document) {
-  valijson::Schema schema;
-  valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-      .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_document), schema);
-  valijson::ValidationResults results;
-  valijson::Validator validator(valijson::Validator::kStrongTypes);
-  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(data), &results)) return;
-  std::string message;
-  for (valijson::ValidationResults::Error error; results.popError(error);) {
-    for (std::string const& step : error.context) message += step;
-    message += ": " + error.description + "\n";
-  }
-  throw DataError(message);
-}
 
 /// In the order of RowContradiction; * is the value that is wrong.
 constexpr std::array<std::string_view, 8> sentences = {"the type is missing",
@@ -91,9 +63,12 @@ std::vector<ParameterRow> read_rows(nlohmann::ordered_json const& entries, ListK
 
 }  // namespace
 
-std::vector<ParameterRow> read_catalogue(std::string const& data_text, std::string const& schema_text) {
-  check_against_schema(parse_json(data_text, "data"), parse_json(schema_text, "schema"));
-  return read_rows(nlohmann::ordered_json::parse(data_text).at("parameters"), ListKind::axis);
+std::vector<ParameterRow> read_catalogue(std::string const& data_text) {
+  try {
+    return read_rows(nlohmann::ordered_json::parse(data_text).at("parameters"), ListKind::axis);
+  } catch (nlohmann::json::exception const& error) {
+    throw DataError(error.what());
+  }
 }
 
 KindRows read_kinds(std::string const& data_text) {

@@ -1,11 +1,14 @@
 // The tables hold exactly what the data file says; read here by another path than the generator's.
 #include "schema/catalogue.hpp"
 #include "support/catch.hpp"
+#include "support/golden.hpp"
+#include "support/sarif_schema.hpp"
 
 #include <cstddef>
 #include <fstream>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -76,6 +79,41 @@ TEST_CASE("the tables repeat the data file row by row") {
     check_limit(parameter.minimum, row, "minimum");
     check_limit(parameter.maximum, row, "maximum");
   }
+}
+
+std::vector<std::string> complaints_about(std::string const& data) {
+  return axisc::test::schema_complaints(
+      data, axisc::test::read_source_file("docs/schemas/schema-file.schema.json"));
+}
+
+std::string document(std::string const& rows) {
+  return R"({"version": 1, "parameters": [)" + rows + "]}";
+}
+
+void forbids(std::string const& data, std::string const& reason) {
+  INFO(data);
+  std::string complaints;
+  for (auto const& complaint : complaints_about(data)) complaints += complaint + "\n";
+  CHECK_THAT(complaints, !Catch::Matchers::Equals("") && Catch::Matchers::Contains(reason));
+}
+
+TEST_CASE("the catalogue follows its JSON schema") {
+  CHECK(complaints_about(axisc::test::read_source_file("schema/axis-parameters.json")).empty());
+}
+
+TEST_CASE("its JSON schema forbids what is not a row") {
+  forbids("[]", "");
+  forbids(R"({"version": 2, "parameters": [{"name": "a", "type": "UNS08"}]})", "version");
+  forbids(document(""), "parameters");
+  forbids(document(R"({"name": "a"})"), "type");
+  forbids(document(R"({"name": "a", "type": "UNS12"})"), "type");
+  forbids(document(R"({"name": "A", "type": "UNS08"})"), "name");
+  forbids(document(R"({"name": "a", "type": "UNS08", "defualt": "1"})"), "defualt");
+  forbids(document(R"({"name": "a", "type": "UNS08", "minimum": 1, "exclusive_minimum": 1})"), "[0]");
+  forbids(document(R"json({"name": "a", "type": "UNS08", "minimum": "MIN(UNS12)"})json"), "minimum");
+  forbids(document(R"({"id": "P-AXIS-1", "name": "a", "type": "UNS08"})"), "id");
+  forbids(document(R"({"name": "a[]", "type": "UNS08", "array": [0]})"), "array");
+  forbids(document(R"({"name": "a", "type": "UNS08", "since": "3075"})"), "since");
 }
 
 }  // namespace
