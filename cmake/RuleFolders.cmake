@@ -19,10 +19,11 @@ function(axisc_add_rules target)
   set(pages "")
   set(codes "")
   foreach(rule IN LISTS rules)
-    if(NOT rule MATCHES "^AX([1-9][0-9][0-9][0-9])-[a-z0-9-]+$")
+    if(NOT rule MATCHES "^AX([1-9][0-9][0-9][0-9])-([a-z0-9-]+)$")
       message(FATAL_ERROR "validator/rules/${rule}: a rule's folder is called AXNNNN-name")
     endif()
     set(code ${CMAKE_MATCH_1})
+    set(name ${CMAKE_MATCH_2})
     if(code IN_LIST codes)
       message(FATAL_ERROR "validator/rules/${rule}: another folder has this code")
     endif()
@@ -33,9 +34,10 @@ function(axisc_add_rules target)
       endif()
     endforeach()
     target_sources(${target} PRIVATE "${folder}/${rule}/rule.cpp")
+    axisc_lightly_optimised(${target} "${folder}/${rule}/rule.cpp")
     list(APPEND pages "${folder}/${rule}/en.md" "${folder}/${rule}/de.md")
     string(APPEND declarations "extern Rule const ax${code};\n")
-    string(APPEND rows "    {Code{${code}}, &checks::ax${code}},\n")
+    string(APPEND rows "    {Code{${code}}, \"${name}\", &checks::ax${code}},\n")
   endforeach()
 
   file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/generated/rule_folders.hpp" CONTENT "\
@@ -55,6 +57,7 @@ namespace axisc::validator {
 
 struct RuleFolder {
   Code code{};
+  std::string_view name;
   Rule const* row;
 };
 

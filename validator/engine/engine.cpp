@@ -126,9 +126,10 @@ class Engine {
     for (std::size_t i = 0; i < machine_.lists.size(); ++i) {
       LoadedList const& list = machine_.lists[i].list;
       ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
-      for (Rule const& rule : rules_with<ListCheck>()) {
-        if (!policy_.enabled(rule, list.source)) continue;
-        call(rule, std::get<ListCheck>(rule.check), context, owner_of[i], nullptr);
+      for (Rule const& rule : rules()) {
+        auto const* const check = std::get_if<ListCheck>(&rule.check);
+        if (check == nullptr || !policy_.enabled(rule, list.source)) continue;
+        call(rule, *check, context, owner_of[i], nullptr);
       }
     }
   }
@@ -138,11 +139,11 @@ class Engine {
   void run_checks_of_other_list(LoadedList const& list) {
     ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
     std::size_t const before = reported_.findings.size();
-    for (Rule const& rule : rules_with<ListCheck, AxisCheck>()) {
-      if (!policy_.enabled(rule, list.source)) continue;
+    for (Rule const& rule : rules()) {
       auto const* const only = std::get_if<ListCheck>(&rule.check);
       ListCheck const check = only != nullptr ? *only : rule.list_check;
-      if (check != nullptr) call(rule, check, context, {}, nullptr);
+      if (check == nullptr || !policy_.enabled(rule, list.source)) continue;
+      call(rule, check, context, {}, nullptr);
     }
     for (std::size_t i = before; i < reported_.findings.size(); ++i) {
       Reported& finding = reported_.findings[i];
@@ -165,7 +166,7 @@ class Engine {
       subjects.push_back(&subjects_.emplace_back(
           Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}}));
     }
-    for (Rule const& rule : rules_with<AxisCheck, FilterCheck>()) {
+    for (Rule const& rule : rules()) {
       if (!enabled(rule)) continue;
       if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {
         call(rule, *check, context, context.name, nullptr);
@@ -180,7 +181,7 @@ class Engine {
 
   void run_machine_checks() {
     MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
-    for (Rule const& rule : rules_with<MachineCheck, GroupCheck>()) {
+    for (Rule const& rule : rules()) {
       if (!enabled(rule)) continue;
       if (auto const* const check = std::get_if<MachineCheck>(&rule.check)) {
         call(rule, *check, whole, {}, nullptr);
@@ -281,8 +282,9 @@ class Engine {
 
   void run_command(CommandContext const& context) {
     if (context.checked.mistakes.empty()) return;
-    for (Rule const& rule : rules_with<CommandCheck>()) {
-      if (enabled(rule)) call(rule, std::get<CommandCheck>(rule.check), context, {}, nullptr);
+    for (Rule const& rule : rules()) {
+      auto const* const check = std::get_if<CommandCheck>(&rule.check);
+      if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, nullptr);
     }
   }
 

@@ -15,7 +15,7 @@ bool contains(std::vector<Code> const& codes, Code code) {
 }  // namespace
 
 Policy::Policy(CheckOptions const& options, SourceSet const& sources)
-    : options_(options), sources_(sources), enabled_(rules().table_size()) {
+    : options_(options), sources_(sources), enabled_(rules().size()) {
   for (Rule const& rule : rules()) {
     bool const only_notes = rule.severity == Severity::note && !rule.always &&
                             severity(rule.code, rule.severity) == Severity::note;

@@ -126,8 +126,8 @@ enum class Precedence : std::uint8_t {
 /// A rule's row. Its folder's rule.cpp defines it as `axNNNN` in the namespace checks and writes only what
 /// differs from the usual.
 struct Rule {
-  Code code{};
-  std::string_view name = {};  ///< as in the folder's name
+  Code code{};                 ///< the table takes it from the folder's name,
+  std::string_view name = {};  ///< and this as well
   Severity severity = Severity::error;
   bool always = false;  ///< a note that is reported without `pedantic` as well
   std::string_view control =
@@ -151,60 +151,8 @@ struct Rule {
 template <std::uint16_t... numbers>
 inline constexpr std::array<Code, sizeof...(numbers)> codes{static_cast<Code>(numbers)...};
 
-/// Rules in ascending order of codes: all, or those with a check of certain kinds.
-class RuleRange {
- public:
-  /// One bit for each alternative of Check.
-  using Kinds = std::uint32_t;
-  static constexpr Kinds all_kinds = ~Kinds{0};
-  template <typename SomeCheck>
-  static constexpr Kinds kind = Kinds{1} << Check(SomeCheck{}).index();
-
-  class Iterator {
-   public:
-    Iterator(Rule const* const* at, Rule const* const* last, Kinds kinds)
-        : at_(at), last_(last), kinds_(kinds) {
-      skip();
-    }
-    Rule const& operator*() const { return **at_; }
-    Iterator& operator++() {
-      ++at_;
-      skip();
-      return *this;
-    }
-    friend bool operator==(Iterator const& left, Iterator const& right) { return left.at_ == right.at_; }
-
-   private:
-    void skip() {
-      while (at_ != last_ && (kinds_ >> (*at_)->check.index() & 1U) == 0) ++at_;
-    }
-
-    Rule const* const* at_;
-    Rule const* const* last_;
-    Kinds kinds_;
-  };
-
-  RuleRange(std::span<Rule const* const> table, Kinds kinds) : table_(table), kinds_(kinds) {}
-  [[nodiscard]] Iterator begin() const { return {table_.data(), last(), kinds_}; }
-  [[nodiscard]] Iterator end() const { return {last(), last(), kinds_}; }
-  [[nodiscard]] RuleRange with(Kinds kinds) const { return {table_, kinds_ & kinds}; }
-  /// The rules of the whole table.
-  [[nodiscard]] std::size_t table_size() const { return table_.size(); }
-
- private:
-  [[nodiscard]] Rule const* const* last() const { return table_.data() + table_.size(); }
-
-  std::span<Rule const* const> table_;
-  Kinds kinds_;
-};
-
-/// All rules.
-[[nodiscard]] RuleRange rules();
-/// The rules with a check of one of the given kinds. Cost: linear in the table.
-template <typename... Checks>
-[[nodiscard]] RuleRange rules_with() {
-  return rules().with((RuleRange::kind<Checks> | ...));
-}
+/// All rules, in ascending order of codes.
+[[nodiscard]] std::span<Rule const> rules();
 /// The row of a code; null if there is none. Cost: one table access.
 [[nodiscard]] Rule const* find_rule(Code code);
 /// The index of a rule in the table.

@@ -9,16 +9,9 @@
 namespace axisc::validator {
 namespace {
 
-/// Ready when the program starts.
-constexpr auto table = [] {
-  std::array<Rule const*, rule_folders.size()> rows{};
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = rule_folders[i].row;
-  return rows;
-}();
-
 constexpr std::size_t possible_codes = 10000;
 constexpr std::uint8_t no_rule = 255;
-static_assert(table.size() < no_rule);
+static_assert(rule_folders.size() < no_rule);
 
 /// The index of a code's rule in the table.
 constexpr auto number_of_code = [] {
@@ -32,18 +25,27 @@ constexpr auto number_of_code = [] {
 
 }  // namespace
 
-RuleRange rules() {
-  return {table, RuleRange::all_kinds};
+std::span<Rule const> rules() {
+  static auto const table = [] {
+    std::array<Rule, rule_folders.size()> rows{};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i] = *rule_folders[i].row;
+      rows[i].code = rule_folders[i].code;
+      rows[i].name = rule_folders[i].name;
+    }
+    return rows;
+  }();
+  return table;
 }
 
 Rule const* find_rule(Code code) {
   auto const index = static_cast<std::size_t>(code);
   std::uint8_t const number = index < possible_codes ? number_of_code[index] : no_rule;
-  return number == no_rule ? nullptr : table[number];
+  return number == no_rule ? nullptr : &rules()[number];
 }
 
 std::size_t number_of(Rule const& rule) {
-  return number_of_code[static_cast<std::size_t>(rule.code)];
+  return static_cast<std::size_t>(&rule - rules().data());
 }
 
 Page const& page(Rule const& rule) {

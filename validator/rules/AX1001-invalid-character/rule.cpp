@@ -116,8 +116,6 @@ void invalid_character(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1001{
-    .code = Code{1001},
-    .name = "invalid-character",
     .check = invalid_character,
 };
 

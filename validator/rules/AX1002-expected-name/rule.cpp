@@ -80,8 +80,6 @@ void expected_name(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1002{
-    .code = Code{1002},
-    .name = "expected-name",
     .check = expected_name,
 };
 

@@ -29,8 +29,6 @@ void expected_value(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1003{
-    .code = Code{1003},
-    .name = "expected-value",
     .check = expected_value,
 };
 

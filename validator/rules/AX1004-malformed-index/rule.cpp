@@ -95,8 +95,6 @@ void malformed_index(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1004{
-    .code = Code{1004},
-    .name = "malformed-index",
     .check = malformed_index,
 };
 

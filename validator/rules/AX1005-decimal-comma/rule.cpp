@@ -48,8 +48,6 @@ void decimal_comma(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1005{
-    .code = Code{1005},
-    .name = "decimal-comma",
     .check = decimal_comma,
 };
 

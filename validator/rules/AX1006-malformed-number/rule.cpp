@@ -105,8 +105,6 @@ void malformed_number(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1006{
-    .code = Code{1006},
-    .name = "malformed-number",
     .control = "1001138",
     .check = malformed_number,
 };

@@ -107,8 +107,6 @@ void suspicious_trailer(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1007{
-    .code = Code{1007},
-    .name = "suspicious-trailer",
     .severity = Severity::warning,
     .check = suspicious_trailer,
 };

@@ -31,8 +31,6 @@ void text_after_end(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1008{
-    .code = Code{1008},
-    .name = "text-after-end",
     .severity = Severity::warning,
     .check = text_after_end,
 };

@@ -37,8 +37,6 @@ void comment_in_string(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1009{
-    .code = Code{1009},
-    .name = "comment-in-string",
     .check = comment_in_string,
 };
 

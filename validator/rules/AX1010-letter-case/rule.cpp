@@ -57,8 +57,6 @@ void letter_case(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1010{
-    .code = Code{1010},
-    .name = "letter-case",
     .severity = Severity::warning,
     .check = letter_case,
 };

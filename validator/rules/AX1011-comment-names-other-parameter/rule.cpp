@@ -85,8 +85,6 @@ void comment_names_other_parameter(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1011{
-    .code = Code{1011},
-    .name = "comment-names-other-parameter",
     .severity = Severity::warning,
     .check = comment_names_other_parameter,
 };

@@ -30,8 +30,6 @@ void unterminated_string(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1012{
-    .code = Code{1012},
-    .name = "unterminated-string",
     .check = unterminated_string,
 };
 

@@ -3,8 +3,6 @@
 namespace axisc::validator::checks {
 
 extern constinit Rule const ax1013{
-    .code = Code{1013},
-    .name = "unused-suppression",
     .severity = Severity::warning,
 };
 

@@ -77,8 +77,6 @@ void unit_in_trailer(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1014{
-    .code = Code{1014},
-    .name = "unit-in-trailer",
     .check = unit_in_trailer,
 };
 

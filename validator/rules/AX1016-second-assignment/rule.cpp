@@ -54,8 +54,6 @@ void second_assignment(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax1016{
-    .code = Code{1016},
-    .name = "second-assignment",
     .precedence = Precedence::before_family,
     .check = second_assignment,
 };

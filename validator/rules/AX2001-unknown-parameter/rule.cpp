@@ -74,8 +74,6 @@ void unknown_parameter(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2001{
-    .code = Code{2001},
-    .name = "unknown-parameter",
     .severity = Severity::warning,
     .control = "1001119",
     .check = unknown_parameter,

@@ -101,8 +101,6 @@ void index_out_of_range(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2002{
-    .code = Code{2002},
-    .name = "index-out-of-range",
     .control = "2009",
     .about = [](schema::Parameter const&) { return true; },
     .precedence = Precedence::before_family,

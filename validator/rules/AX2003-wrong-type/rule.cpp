@@ -104,8 +104,6 @@ void wrong_type(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2003{
-    .code = Code{2003},
-    .name = "wrong-type",
     .about = [](schema::Parameter const&) { return true; },
     .precedence = Precedence::before_family,
     .check = wrong_type,

@@ -80,8 +80,6 @@ void out_of_data_range(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2004{
-    .code = Code{2004},
-    .name = "out-of-data-range",
     .control = "1001138",
     .about = [](schema::Parameter const& parameter) { return schema::is_integer(parameter.type); },
     .precedence = Precedence::before_family,

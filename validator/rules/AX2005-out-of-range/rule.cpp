@@ -142,8 +142,6 @@ void out_of_range(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2005{
-    .code = Code{2005},
-    .name = "out-of-range",
     .about =
         [](schema::Parameter const& parameter) {
           return schema::is_number(parameter.type) &&

@@ -55,8 +55,6 @@ void duplicate_parameter(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2006{
-    .code = Code{2006},
-    .name = "duplicate-parameter",
     .severity = Severity::warning,
     .precedence = Precedence::after_text,
     .check = duplicate_parameter,

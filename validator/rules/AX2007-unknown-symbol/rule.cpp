@@ -64,8 +64,6 @@ void unknown_symbol(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2007{
-    .code = Code{2007},
-    .name = "unknown-symbol",
     .control = "2021",
     .about =
         [](schema::Parameter const& parameter) {

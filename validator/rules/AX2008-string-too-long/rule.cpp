@@ -44,8 +44,6 @@ void string_too_long(ListContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2008{
-    .code = Code{2008},
-    .name = "string-too-long",
     .control = "2023",
     .about = [](schema::Parameter const& parameter) { return parameter.max_length > 0; },
     .check = string_too_long,

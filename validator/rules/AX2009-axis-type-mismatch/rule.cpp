@@ -71,8 +71,6 @@ void axis_type_mismatch(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2009{
-    .code = Code{2009},
-    .name = "axis-type-mismatch",
     .severity = Severity::warning,
     .about = [](schema::Parameter const& parameter) { return !parameter.axis_types.empty(); },
     .precedence = Precedence::after_text,

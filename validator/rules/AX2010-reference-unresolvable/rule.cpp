@@ -59,8 +59,6 @@ void reference_unresolvable(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2010{
-    .code = Code{2010},
-    .name = "reference-unresolvable",
     .control = "2052",
     .check = reference_unresolvable,
 };

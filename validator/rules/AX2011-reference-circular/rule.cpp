@@ -32,8 +32,6 @@ void reference_circular(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2011{
-    .code = Code{2011},
-    .name = "reference-circular",
     .control = "2051",
     .check = reference_circular,
 };

@@ -39,8 +39,6 @@ void reference_type(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2012{
-    .code = Code{2012},
-    .name = "reference-type",
     .control = "2062",
     .check = reference_type,
 };

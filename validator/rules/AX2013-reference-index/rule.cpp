@@ -46,8 +46,6 @@ void reference_index(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2013{
-    .code = Code{2013},
-    .name = "reference-index",
     .control = "2045",
     .check = reference_index,
 };

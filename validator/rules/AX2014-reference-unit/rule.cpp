@@ -34,8 +34,6 @@ void reference_unit(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2014{
-    .code = Code{2014},
-    .name = "reference-unit",
     .severity = Severity::warning,
     .control = "2049",
     .precedence = Precedence::after_text,

@@ -185,8 +185,6 @@ bool is_about(schema::Parameter const& parameter) {
 }  // namespace
 
 extern constinit Rule const ax2015{
-    .code = Code{2015},
-    .name = "limit-by-parameter",
     .about = is_about,
     .precedence = Precedence::before_family,
     .check = limit_by_parameter,

@@ -157,8 +157,6 @@ bool is_about(schema::Parameter const& parameter) {
 }  // namespace
 
 extern constinit Rule const ax2016{
-    .code = Code{2016},
-    .name = "newer-than-build",
     .severity = Severity::warning,
     .about = is_about,
     .precedence = Precedence::after_text,

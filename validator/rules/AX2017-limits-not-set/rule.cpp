@@ -38,8 +38,6 @@ void limits_not_set(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2017{
-    .code = Code{2017},
-    .name = "limits-not-set",
     .severity = Severity::note,
     .parameters = "getriebe[].dynamik.a_max getriebe[].dynamik.vb_max kopf.achs_nr",
     .check = limits_not_set,

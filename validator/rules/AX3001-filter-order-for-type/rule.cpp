@@ -103,8 +103,6 @@ void filter_order_for_type(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3001{
-    .code = Code{3001},
-    .name = "filter-order-for-type",
     .control = control_numbers<order_refused, order_clipped>,
     .parameters =
         "filters[].order filters[].type filters[].prototype filters[].enable filter_fir.order "

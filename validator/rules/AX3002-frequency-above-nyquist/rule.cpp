@@ -71,8 +71,6 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3002{
-    .code = Code{3002},
-    .name = "frequency-above-nyquist",
     .control = control_numbers<setpoint_refused, guard_refused, position_controller_refused>,
     .parameters =
         "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype filter_fir.fcut "

@@ -37,8 +37,6 @@ void frequency_zero(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3003{
-    .code = Code{3003},
-    .name = "frequency-zero",
     .control = "110361",
     .parameters =
         "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype filter_fir.fcut "

@@ -66,8 +66,6 @@ void time_constant_below_cycle(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3004{
-    .code = Code{3004},
-    .name = "time-constant-below-cycle",
     .control = control_numbers<path_refuses_time, spindle_refuses_time, position_controller_refuses_time>,
     .parameters = "filters[].time_constant filters[].type filters[].enable filters[].order",
     .needs = Needs::cycle_time,

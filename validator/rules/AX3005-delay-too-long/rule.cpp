@@ -53,8 +53,6 @@ void delay_too_long(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3005{
-    .code = Code{3005},
-    .name = "delay-too-long",
     .control = control_numbers<path_refuses_time, spindle_refuses_time, position_controller_refuses_time>,
     .parameters = "filters[].time_constant filters[].type filters[].enable filters[].order",
     .needs = Needs::cycle_time,

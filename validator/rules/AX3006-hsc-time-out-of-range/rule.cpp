@@ -42,8 +42,6 @@ void hsc_time_out_of_range(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3006{
-    .code = Code{3006},
-    .name = "hsc-time-out-of-range",
     .control = "50910",
     .parameters = "filter[].time_constant filter[].order filter[].type filter[].prototype",
     .needs = Needs::cycle_time,

@@ -44,8 +44,6 @@ void enabled_without_order(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3007{
-    .code = Code{3007},
-    .name = "enabled-without-order",
     .severity = Severity::warning,
     .parameters = "filters[].order filters[].enable",
     .check = enabled_without_order,

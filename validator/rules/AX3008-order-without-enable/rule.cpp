@@ -34,8 +34,6 @@ void order_without_enable(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3008{
-    .code = Code{3008},
-    .name = "order-without-enable",
     .severity = Severity::note,
     .parameters = "filters[].order filters[].enable",
     .check = order_without_enable,

@@ -121,8 +121,6 @@ void unused_parameter(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3009{
-    .code = Code{3009},
-    .name = "unused-parameter",
     .severity = Severity::warning,
     .parameters = "filters[].* filter_fir.fcut filter_fir.quality filter_fir.type",
     .precedence = Precedence::after_family,

@@ -44,8 +44,6 @@ void hsc_prototype_and_type(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3010{
-    .code = Code{3010},
-    .name = "hsc-prototype-and-type",
     .parameters = "filters[].prototype filters[].type",
     .silenced_by = codes<3012>,
     .check = hsc_prototype_and_type,

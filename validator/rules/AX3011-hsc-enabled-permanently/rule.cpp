@@ -36,8 +36,6 @@ void hsc_enabled_permanently(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3011{
-    .code = Code{3011},
-    .name = "hsc-enabled-permanently",
     .control = "110629",
     .parameters = "filters[].enable filters[].prototype",
     .check = hsc_enabled_permanently,

@@ -43,8 +43,6 @@ void undocumented_type(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3012{
-    .code = Code{3012},
-    .name = "undocumented-type",
     .parameters = "filters[].type",
     .check = undocumented_type,
 };

@@ -64,8 +64,6 @@ void overshooting_prototype(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3013{
-    .code = Code{3013},
-    .name = "overshooting-prototype",
     .severity = Severity::warning,
     .parameters = "filter[].prototype filter[].type filter[].order filter[].enable",
     .needs = Needs::cycle_time,

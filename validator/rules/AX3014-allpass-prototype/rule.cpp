@@ -32,8 +32,6 @@ void allpass_prototype(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3014{
-    .code = Code{3014},
-    .name = "allpass-prototype",
     .severity = Severity::warning,
     .parameters = "filters[].prototype filters[].type filters[].order filters[].enable",
     .check = allpass_prototype,

@@ -46,8 +46,6 @@ void share_zero(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3015{
-    .code = Code{3015},
-    .name = "share-zero",
     .severity = Severity::warning,
     .parameters =
         "filters[].share_percent filters[].enable filters[].order filters[].type filter_fir.share "

@@ -40,8 +40,6 @@ void novib_frequency_too_low(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3016{
-    .code = Code{3016},
-    .name = "novib-frequency-too-low",
     .parameters = "filter[].fg_f0 filter[].type filter[].prototype",
     .needs = Needs::cycle_time,
     .check = novib_frequency_too_low,

@@ -38,8 +38,6 @@ void blocks_constant_part(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3017{
-    .code = Code{3017},
-    .name = "blocks-constant-part",
     .severity = Severity::warning,
     .parameters = "filter[].type filter[].share_percent filter[].enable filter[].order",
     .check = blocks_constant_part,

@@ -31,8 +31,6 @@ void novib_without_order(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3018{
-    .code = Code{3018},
-    .name = "novib-without-order",
     .severity = Severity::warning,
     .parameters = "filter[].order filter[].type filter[].prototype",
     .check = novib_without_order,

@@ -38,8 +38,6 @@ void tiny_share(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3019{
-    .code = Code{3019},
-    .name = "tiny-share",
     .severity = Severity::note,
     .parameters = "filters[].* filter_fir.*",
     .check = tiny_share,

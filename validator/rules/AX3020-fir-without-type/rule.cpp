@@ -32,8 +32,6 @@ void fir_without_type(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3020{
-    .code = Code{3020},
-    .name = "fir-without-type",
     .severity = Severity::warning,
     .control = "110634/51043",
     .parameters = "filter_fir.type filter_fir.enable",

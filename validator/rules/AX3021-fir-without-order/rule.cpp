@@ -35,8 +35,6 @@ void fir_without_order(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3021{
-    .code = Code{3021},
-    .name = "fir-without-order",
     .severity = Severity::warning,
     .control = "50989",
     .parameters = "filter_fir.order filter_fir.order_time filter_fir.type filter_fir.enable",

@@ -60,8 +60,6 @@ void fir_order_time_range(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3022{
-    .code = Code{3022},
-    .name = "fir-order-time-range",
     .control = control_numbers<order_too_low, order_clipped>,
     .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .needs = Needs::cycle_time,

@@ -34,8 +34,6 @@ void fir_order_time_unused(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3023{
-    .code = Code{3023},
-    .name = "fir-order-time-unused",
     .severity = Severity::warning,
     .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .precedence = Precedence::after_family,

@@ -38,8 +38,6 @@ void fir_order_time_rounded(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3024{
-    .code = Code{3024},
-    .name = "fir-order-time-rounded",
     .severity = Severity::note,
     .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .needs = Needs::cycle_time,

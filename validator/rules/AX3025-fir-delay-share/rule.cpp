@@ -31,8 +31,6 @@ void fir_delay_share(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3025{
-    .code = Code{3025},
-    .name = "fir-delay-share",
     .severity = Severity::warning,
     .parameters = "filter_fir.share filter_fir.type",
     .check = fir_delay_share,

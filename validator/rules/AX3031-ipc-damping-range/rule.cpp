@@ -34,8 +34,6 @@ void ipc_damping_range(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3031{
-    .code = Code{3031},
-    .name = "ipc-damping-range",
     .control = "70599",
     .parameters = "ipc.stage[].filter.damping ipc.stage[].osc_damping ipc.stage[].mode ipc.enable",
     .check = ipc_damping_range,

@@ -45,8 +45,6 @@ void ipc_weight_limited(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3032{
-    .code = Code{3032},
-    .name = "ipc-weight-limited",
     .severity = Severity::warning,
     .control = "70605",
     .parameters = "ipc.stage[].weight_fact_num ipc.stage[].weight_fact_denom ipc.stage[].mode ipc.enable",

@@ -32,8 +32,6 @@ void ipc_without_limit(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3033{
-    .code = Code{3033},
-    .name = "ipc-without-limit",
     .severity = Severity::warning,
     .parameters = "ipc.v_add_max_fact ipc.enable",
     .check = ipc_without_limit,

@@ -73,8 +73,6 @@ void ipc_frequencies_close(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3034{
-    .code = Code{3034},
-    .name = "ipc-frequencies-close",
     .severity = Severity::warning,
     .parameters =
         "ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 ipc.stage[].filter.q_factor "

@@ -30,8 +30,6 @@ void ipc_no_active_stage(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3035{
-    .code = Code{3035},
-    .name = "ipc-no-active-stage",
     .severity = Severity::warning,
     .parameters = "ipc.*",
     .check = ipc_no_active_stage,

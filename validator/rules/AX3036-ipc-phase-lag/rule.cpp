@@ -67,8 +67,6 @@ void ipc_phase_lag(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3036{
-    .code = Code{3036},
-    .name = "ipc-phase-lag",
     .severity = Severity::warning,
     .parameters = "ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 ipc.stage[].mode ipc.enable",
     .needs = Needs::cycle_time,

@@ -35,8 +35,6 @@ void ipc_low_damping(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3037{
-    .code = Code{3037},
-    .name = "ipc-low-damping",
     .severity = Severity::warning,
     .parameters = "ipc.stage[].filter.damping ipc.stage[].osc_damping ipc.stage[].mode ipc.enable",
     .check = ipc_low_damping,

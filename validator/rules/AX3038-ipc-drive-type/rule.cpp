@@ -35,8 +35,6 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3038{
-    .code = Code{3038},
-    .name = "ipc-drive-type",
     .parameters = "kenngr.antr_typ ipc.enable",
     .check = ipc_drive_type,
 };

@@ -69,8 +69,6 @@ void ipc_mixed_generations(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3039{
-    .code = Code{3039},
-    .name = "ipc-mixed-generations",
     .parameters = "ipc.stage[].filter.* ipc.stage[].filter[].* ipc.stage[].osc_damping",
     .check = ipc_mixed_generations,
 };

@@ -37,8 +37,6 @@ void interface_filter_invalid_default(FilterContext const& context, Report& repo
 }  // namespace
 
 extern constinit Rule const ax3040{
-    .code = Code{3040},
-    .name = "interface-filter-invalid-default",
     .control = "70451",
     .parameters =
         "lr_param.add_interface.filter[].time_constant lr_param.add_interface.filter[].type "

@@ -44,8 +44,6 @@ void interface_disabled(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3041{
-    .code = Code{3041},
-    .name = "interface-disabled",
     .severity = Severity::warning,
     .parameters =
         "lr_param.add_interface.enable lr_param.add_interface.filter[].enable "

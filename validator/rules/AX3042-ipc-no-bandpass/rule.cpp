@@ -35,8 +35,6 @@ void ipc_no_bandpass(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3042{
-    .code = Code{3042},
-    .name = "ipc-no-bandpass",
     .parameters = "ipc.stage[].filter[].type ipc.stage[].mode ipc.enable",
     .check = ipc_no_bandpass,
 };

@@ -33,8 +33,6 @@ void ipc_operation_mode(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3043{
-    .code = Code{3043},
-    .name = "ipc-operation-mode",
     .control = "70602",
     .parameters = "antr.operation_mode ipc.enable",
     .check = ipc_operation_mode,

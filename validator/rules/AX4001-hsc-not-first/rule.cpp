@@ -27,8 +27,6 @@ void hsc_not_first(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4001{
-    .code = Code{4001},
-    .name = "hsc-not-first",
     .control = "110501",
     .parameters = "filter[].prototype filter[].type filter[].order",
     .silenced_by = codes<4002>,

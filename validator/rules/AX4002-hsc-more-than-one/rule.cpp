@@ -42,8 +42,6 @@ void hsc_more_than_one(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4002{
-    .code = Code{4002},
-    .name = "hsc-more-than-one",
     .control = "110500",
     .parameters = "filter[].prototype filter[].type filter[].order",
     .check = hsc_more_than_one,

@@ -24,8 +24,6 @@ void hsc_on_spindle(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4003{
-    .code = Code{4003},
-    .name = "hsc-on-spindle",
     .parameters = "filter[].prototype filter[].type kenngr.achs_typ",
     .check = hsc_on_spindle,
 };

@@ -44,8 +44,6 @@ void delay_not_last(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4004{
-    .code = Code{4004},
-    .name = "delay-not-last",
     .control = "110583",
     .parameters = "filters[].type filters[].enable filters[].order kenngr.delay_filter_only_position",
     .check = delay_not_last,

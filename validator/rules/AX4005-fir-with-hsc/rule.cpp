@@ -40,8 +40,6 @@ void fir_with_hsc(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4005{
-    .code = Code{4005},
-    .name = "fir-with-hsc",
     .control = "110628",
     .parameters = "filter_fir.type vib_guard.active filter[].prototype filter[].type",
     .check = fir_with_hsc,

@@ -34,8 +34,6 @@ void fir_with_vibration_guard(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4006{
-    .code = Code{4006},
-    .name = "fir-with-vibration-guard",
     .control = "110630",
     .parameters = "filter_fir.type vib_guard.active",
     .check = fir_with_vibration_guard,

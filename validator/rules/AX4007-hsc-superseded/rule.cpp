@@ -26,8 +26,6 @@ void hsc_superseded(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4007{
-    .code = Code{4007},
-    .name = "hsc-superseded",
     .severity = Severity::note,
     .parameters = "filter[].prototype filter[].type",
     .check = hsc_superseded,

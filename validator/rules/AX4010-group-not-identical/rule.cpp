@@ -43,8 +43,6 @@ void group_not_identical(GroupContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4010{
-    .code = Code{4010},
-    .name = "group-not-identical",
     .severity = Severity::note,
     .parameters = "filter[].* filter_fir.*",
     .needs = Needs::cycle_time,

@@ -172,8 +172,6 @@ void group_delay_mismatch(GroupContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4011{
-    .code = Code{4011},
-    .name = "group-delay-mismatch",
     .severity = Severity::warning,
     .parameters = "filter[].* filter_fir.* vib_guard.*",
     .needs = Needs::cycle_time,

@@ -38,8 +38,6 @@ void gantry_slave_ipc(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4012{
-    .code = Code{4012},
-    .name = "gantry-slave-ipc",
     .control = "70600",
     .parameters = "ipc.enable kenngr.achs_mode kenngr.gantry_ax_nr",
     .check = gantry_slave_ipc,

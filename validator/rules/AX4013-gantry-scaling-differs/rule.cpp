@@ -88,8 +88,6 @@ void gantry_scaling_differs(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4013{
-    .code = Code{4013},
-    .name = "gantry-scaling-differs",
     .severity = Severity::warning,
     .parameters =
         "antr.v_reso_num antr.v_reso_denom antr.v_time_base ipc.enable kenngr.achs_mode "

@@ -174,8 +174,6 @@ void gantry_broken(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4014{
-    .code = Code{4014},
-    .name = "gantry-broken",
     .control = control_numbers<no_master_number, no_master>,
     .parameters = "kenngr.gantry_ax_nr kenngr.achs_mode kopf.achs_nr",
     .check = gantry_broken,

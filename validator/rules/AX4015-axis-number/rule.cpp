@@ -115,8 +115,6 @@ void axis_number(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4015{
-    .code = Code{4015},
-    .name = "axis-number",
     .control = control_numbers<number_zero, number_in_default_list, number_twice>,
     .parameters = "kopf.achs_nr",
     .check = axis_number,

@@ -58,8 +58,6 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4016{
-    .code = Code{4016},
-    .name = "ipc-scaling-missing",
     .severity = Severity::warning,
     .control = "70607",
     .parameters =

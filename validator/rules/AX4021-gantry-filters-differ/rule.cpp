@@ -62,8 +62,6 @@ void gantry_filters_differ(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4021{
-    .code = Code{4021},
-    .name = "gantry-filters-differ",
     .parameters = "filter[].* filter_fir.* vib_guard.* kenngr.achs_mode kenngr.gantry_ax_nr",
     .needs = Needs::cycle_time,
     .check = gantry_filters_differ,

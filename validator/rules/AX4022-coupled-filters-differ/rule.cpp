@@ -53,8 +53,6 @@ void coupled_filters_differ(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4022{
-    .code = Code{4022},
-    .name = "coupled-filters-differ",
     .severity = Severity::warning,
     .parameters = "filter[].* filter_fir.* vib_guard.* kopf.achs_nr",
     .needs = Needs::cycle_time,

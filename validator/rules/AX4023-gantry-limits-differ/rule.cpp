@@ -55,8 +55,6 @@ void gantry_limits_differ(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4023{
-    .code = Code{4023},
-    .name = "gantry-limits-differ",
     .severity = Severity::warning,
     .parameters = "getriebe[].dynamik.a_max getriebe[].dynamik.vb_max kenngr.achs_mode kenngr.gantry_ax_nr",
     .check = gantry_limits_differ,

@@ -12,8 +12,6 @@ void filter_syntax(CommandContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5001{
-    .code = Code{5001},
-    .name = "filter-syntax",
     .check = filter_syntax,
 };
 

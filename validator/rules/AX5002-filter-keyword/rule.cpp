@@ -14,8 +14,6 @@ void filter_keyword(CommandContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5002{
-    .code = Code{5002},
-    .name = "filter-keyword",
     .control =
         control_numbers<keyword_repeated, mode_refused, damping_refused, share_refused, quality_refused>,
     .check = filter_keyword,

@@ -40,8 +40,6 @@ void filter_and_vibration_guard(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5003{
-    .code = Code{5003},
-    .name = "filter-and-vibration-guard",
     .control = "22060",
     .check = filter_and_vibration_guard,
 };

@@ -38,8 +38,6 @@ void filter_with_guard_in_list(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5004{
-    .code = Code{5004},
-    .name = "filter-with-guard-in-list",
     .control = "50987",
     .parameters = "vib_guard.active",
     .check = filter_with_guard_in_list,

@@ -39,8 +39,6 @@ void guard_with_fir_in_list(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5005{
-    .code = Code{5005},
-    .name = "guard-with-fir-in-list",
     .control = "50988",
     .parameters = "filter_fir.type",
     .silenced_by = codes<5003>,

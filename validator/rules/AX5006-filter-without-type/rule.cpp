@@ -41,8 +41,6 @@ void filter_without_type(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5006{
-    .code = Code{5006},
-    .name = "filter-without-type",
     .severity = Severity::warning,
     .control = "51043/51044",
     .parameters = "filter_fir.type",

@@ -42,8 +42,6 @@ void filter_without_order(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5007{
-    .code = Code{5007},
-    .name = "filter-without-order",
     .severity = Severity::warning,
     .parameters = "filter_fir.order filter_fir.order_time filter_fir.type",
     .check = filter_without_order,

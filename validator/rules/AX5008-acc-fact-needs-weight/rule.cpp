@@ -59,8 +59,6 @@ void acc_fact_needs_weight(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5008{
-    .code = Code{5008},
-    .name = "acc-fact-needs-weight",
     .severity = Severity::warning,
     .parameters = "getriebe[].dynamik.a_trans_weight",
     .check = acc_fact_needs_weight,

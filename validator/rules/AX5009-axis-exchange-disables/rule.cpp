@@ -44,8 +44,6 @@ void axis_exchange_disables(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5009{
-    .code = Code{5009},
-    .name = "axis-exchange-disables",
     .severity = Severity::note,
     .check = axis_exchange_disables,
 };

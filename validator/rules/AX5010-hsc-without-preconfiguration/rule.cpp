@@ -39,8 +39,6 @@ void hsc_without_preconfiguration(ProgramContext const& context, Report& report)
 }  // namespace
 
 extern constinit Rule const ax5010{
-    .code = Code{5010},
-    .name = "hsc-without-preconfiguration",
     .parameters = "filter[].prototype filter[].type filter[].order",
     .check = hsc_without_preconfiguration,
 };

@@ -38,8 +38,6 @@ void generous_tolerance(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax5012{
-    .code = Code{5012},
-    .name = "generous-tolerance",
     .severity = Severity::note,
     .check = generous_tolerance,
 };

@@ -83,8 +83,6 @@ void stability_reserve(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax6001{
-    .code = Code{6001},
-    .name = "stability-reserve",
     .control = "50564",
     .parameters =
         "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "

@@ -80,8 +80,6 @@ void long_settling(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax6003{
-    .code = Code{6003},
-    .name = "long-settling",
     .severity = Severity::warning,
     .parameters =
         "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "

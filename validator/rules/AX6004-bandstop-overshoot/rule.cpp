@@ -43,8 +43,6 @@ void bandstop_overshoot(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax6004{
-    .code = Code{6004},
-    .name = "bandstop-overshoot",
     .severity = Severity::warning,
     .parameters =
         "filter[].fg_f0 filter[].guete filter[].type filter[].prototype filter[].order filter[].enable "

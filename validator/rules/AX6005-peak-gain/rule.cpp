@@ -58,8 +58,6 @@ void peak_gain(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax6005{
-    .code = Code{6005},
-    .name = "peak-gain",
     .severity = Severity::note,
     .parameters =
         "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "

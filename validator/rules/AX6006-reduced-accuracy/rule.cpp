@@ -41,8 +41,6 @@ void reduced_accuracy(FilterContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax6006{
-    .code = Code{6006},
-    .name = "reduced-accuracy",
     .severity = Severity::note,
     .parameters = "filters[].*",
     .needs = Needs::cycle_time,

@@ -34,8 +34,6 @@ void long_delay(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax6007{
-    .code = Code{6007},
-    .name = "long-delay",
     .severity = Severity::note,
     .parameters = "filter[].* filter_fir.*",
     .needs = Needs::cycle_time,

@@ -73,8 +73,6 @@ void unknown_kind(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7001{
-    .code = Code{7001},
-    .name = "unknown-kind",
     .severity = Severity::warning,
     .check = unknown_kind,
 };

@@ -112,8 +112,6 @@ void list_not_found(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7002{
-    .code = Code{7002},
-    .name = "list-not-found",
     .check = list_not_found,
 };
 

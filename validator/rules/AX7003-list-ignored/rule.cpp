@@ -49,8 +49,6 @@ void list_ignored(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7003{
-    .code = Code{7003},
-    .name = "list-ignored",
     .severity = Severity::warning,
     .check = list_ignored,
 };

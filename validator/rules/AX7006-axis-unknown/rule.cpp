@@ -63,8 +63,6 @@ void axis_unknown(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7006{
-    .code = Code{7006},
-    .name = "axis-unknown",
     .control = "150010",
     .parameters = "kopf.achs_nr",
     .check = axis_unknown,

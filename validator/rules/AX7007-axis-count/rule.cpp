@@ -69,8 +69,6 @@ void axis_count(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7007{
-    .code = Code{7007},
-    .name = "axis-count",
     .control = control_numbers<out_of_range, not_as_configured>,
     .check = axis_count,
 };

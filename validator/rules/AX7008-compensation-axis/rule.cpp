@@ -32,8 +32,6 @@ void compensation_axis(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7008{
-    .code = Code{7008},
-    .name = "compensation-axis",
     .control = "110229",
     .parameters = "kopf.achs_nr",
     .check = compensation_axis,

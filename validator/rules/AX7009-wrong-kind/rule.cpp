@@ -55,8 +55,6 @@ void wrong_kind(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7009{
-    .code = Code{7009},
-    .name = "wrong-kind",
     .check = wrong_kind,
 };
 

@@ -38,8 +38,6 @@ void axis_in_two_channels(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7010{
-    .code = Code{7010},
-    .name = "axis-in-two-channels",
     .severity = Severity::warning,
     .parameters = "kopf.achs_nr",
     .check = axis_in_two_channels,

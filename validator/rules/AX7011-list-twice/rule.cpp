@@ -40,8 +40,6 @@ void list_twice(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7011{
-    .code = Code{7011},
-    .name = "list-twice",
     .severity = Severity::warning,
     .check = list_twice,
 };

@@ -35,8 +35,6 @@ void cycle_time_contradiction(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7012{
-    .code = Code{7012},
-    .name = "cycle-time-contradiction",
     .severity = Severity::warning,
     .check = cycle_time_contradiction,
 };

@@ -40,8 +40,6 @@ void name_contradiction(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7013{
-    .code = Code{7013},
-    .name = "name-contradiction",
     .severity = Severity::note,
     .parameters = "kopf.log_achs_name kopf.achs_nr",
     .check = name_contradiction,

@@ -28,8 +28,6 @@ void list_not_named(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7014{
-    .code = Code{7014},
-    .name = "list-not-named",
     .severity = Severity::note,
     .check = list_not_named,
 };

@@ -34,8 +34,6 @@ void spindle_as_path_axis(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax7015{
-    .code = Code{7015},
-    .name = "spindle-as-path-axis",
     .severity = Severity::warning,
     .parameters = "kopf.achs_nr kenngr.achs_typ",
     .check = spindle_as_path_axis,

@@ -158,8 +158,6 @@ void weight_limited(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax8001{
-    .code = Code{8001},
-    .name = "weight-limited",
     .severity = Severity::warning,
     .control = "120029/120031/120033/120035/120036/120037/120038/120627/120629",
     .parameters =

@@ -58,8 +58,6 @@ void no_exact_stop(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax8002{
-    .code = Code{8002},
-    .name = "no-exact-stop",
     .severity = Severity::warning,
     .control = "20003",
     .check = no_exact_stop,

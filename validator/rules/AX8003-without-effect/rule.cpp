@@ -112,8 +112,6 @@ void without_effect(GroupContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax8003{
-    .code = Code{8003},
-    .name = "without-effect",
     .severity = Severity::note,
     .parameters =
         "getriebe[].slope_profil.tr_beschl_zu getriebe[].slope_profil.tr_beschl_ab "

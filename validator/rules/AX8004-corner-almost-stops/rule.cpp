@@ -69,8 +69,6 @@ void corner_almost_stops(GroupContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax8004{
-    .code = Code{8004},
-    .name = "corner-almost-stops",
     .severity = Severity::note,
     .parameters = "getriebe[].dynamik.a_trans_weight",
     .needs = Needs::cycle_time,

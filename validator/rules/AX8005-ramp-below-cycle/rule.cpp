@@ -48,8 +48,6 @@ void ramp_below_cycle(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax8005{
-    .code = Code{8005},
-    .name = "ramp-below-cycle",
     .severity = Severity::warning,
     .parameters =
         "getriebe[].slope_profil.tr_beschl_zu getriebe[].slope_profil.tr_beschl_ab "

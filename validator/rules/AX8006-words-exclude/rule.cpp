@@ -48,8 +48,6 @@ void words_exclude(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax8006{
-    .code = Code{8006},
-    .name = "words-exclude",
     .control = "20109",
     .check = words_exclude,
 };

@@ -3,8 +3,6 @@
 namespace axisc::validator::checks {
 
 extern constinit Rule const ax9007{
-    .code = Code{9007},
-    .name = "not-simulated",
     .severity = Severity::warning,
 };
 

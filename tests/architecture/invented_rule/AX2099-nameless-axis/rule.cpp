@@ -18,8 +18,6 @@ void nameless_axis(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2099{
-    .code = Code{2099},
-    .name = "nameless-axis",
     .severity = Severity::warning,
     .parameters = "kopf.log_achs_name",
     .check = nameless_axis,
