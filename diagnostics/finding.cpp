@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,22 +43,6 @@ void most_frequent_first(std::vector<CodeCount>& counts) {
   std::sort(counts.begin(), counts.end(), [](CodeCount const& left, CodeCount const& right) {
     return std::pair(right.count, left.code) < std::pair(left.count, right.code);
   });
-}
-
-std::vector<CodeCount> count_codes(std::vector<Finding> const& findings) {
-  std::map<Code, CodeCount> by_code;
-  for (Finding const& finding : findings) {
-    CodeCount& row = by_code[finding.code];
-    row.code = finding.code;
-    row.name = finding.name;
-    ++row.count;
-    if (finding.fix) ++row.fixable;
-  }
-  std::vector<CodeCount> counts;
-  counts.reserve(by_code.size());
-  for (auto const& [code, row] : by_code) counts.push_back(row);
-  most_frequent_first(counts);
-  return counts;
 }
 
 }  // namespace axisc

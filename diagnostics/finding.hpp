@@ -90,7 +90,4 @@ struct CodeCount {
 /// By number of findings, then by code.
 void most_frequent_first(std::vector<CodeCount>& counts);
 
-/// The codes that were reported, the most frequent first.
-[[nodiscard]] std::vector<CodeCount> count_codes(std::vector<Finding> const& findings);
-
 }  // namespace axisc

@@ -4,7 +4,6 @@
 #include "diagnostics/utf8.hpp"
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,11 +54,6 @@ Identity identity_of(Finding const& finding, SourceSet const& sources) {
   Identity identity;
   identify(identity, finding, sources);
   return identity;
-}
-
-void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources) {
-  std::map<Identity, std::uint32_t> counts;
-  for (Finding& finding : findings) finding.occurrence = ++counts[identity_of(finding, sources)];
 }
 
 std::uint64_t hash_of(Identity const& identity) {

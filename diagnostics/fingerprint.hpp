@@ -25,10 +25,6 @@ struct Identity {
 /// The identity, written into an existing object to reuse its memory.
 void identify(Identity& identity, Finding const& finding, SourceSet const& sources);
 
-/// Counts the findings that share an identity, from 1 in the given order, in `finding.occurrence`. Call it
-/// before any finding is hidden.
-void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources);
-
 /// 64 bits: equal identities have the same. A collision becomes likely only with billions of findings.
 [[nodiscard]] std::uint64_t hash_of(Identity const& identity);
 

@@ -45,20 +45,6 @@ std::optional<std::int64_t> decimal_magnitude(std::string_view unsigned_token) {
 
 }  // namespace
 
-std::optional<IntegerValue> integer_value(std::string_view token) {
-  IntegerValue value{.negative = take_sign(token), .magnitude = 0};
-  int base = 10;
-  if (token.size() > 2 && token[0] == '0' && (token[1] == 'x' || token[1] == 'X')) {
-    base = 16;
-    token.remove_prefix(2);
-  }
-  char const* const end = token.data() + token.size();
-  auto const [stop, error] = std::from_chars(token.data(), end, value.magnitude, base);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  value.negative = value.negative && value.magnitude != 0;
-  return value;
-}
-
 std::optional<double> real_value(std::string_view token) {
   bool const negative = take_sign(token);
   // from_chars reads a sign, infinities and NaN as well.

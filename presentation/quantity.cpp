@@ -37,30 +37,29 @@ namespace {
 struct UnitRow {
   Unit unit;
   SentenceRef symbol;
-  std::string_view suffix;
 };
 
 constexpr std::array units{
-    UnitRow{Unit::cycle, says::cycles, "_cycles"},
-    UnitRow{Unit::microsecond, says::micro_seconds, "_us"},
-    UnitRow{Unit::millisecond, says::milli_seconds, "_ms"},
-    UnitRow{Unit::second, says::seconds, "_s"},
-    UnitRow{Unit::hertz, says::hertz, "_hz"},
-    UnitRow{Unit::decibel, says::decibels, "_db"},
-    UnitRow{Unit::degree, says::degrees, "_deg"},
-    UnitRow{Unit::radian, says::radians, "_rad"},
-    UnitRow{Unit::percent, says::percent, "_percent"},
-    UnitRow{Unit::share, says::percent, "_share"},
-    UnitRow{Unit::micrometre, says::micro_metres, "_um"},
-    UnitRow{Unit::millimetre, says::milli_metres, "_mm"},
-    UnitRow{Unit::millimetre_per_second, says::velocity, "_mm_per_s"},
-    UnitRow{Unit::micrometre_per_second, says::slow_velocity, "_um_per_s"},
-    UnitRow{Unit::millimetre_per_minute, says::feed, "_mm_per_min"},
-    UnitRow{Unit::degree_per_second, says::turning, "_deg_per_s"},
-    UnitRow{Unit::millimetre_per_second_squared, says::small_acceleration, "_mm_per_s2"},
-    UnitRow{Unit::metre_per_second_squared, says::acceleration, "_m_per_s2"},
-    UnitRow{Unit::degree_per_second_squared, says::turning_faster, "_deg_per_s2"},
-    UnitRow{Unit::byte, says::bytes, "_bytes"},
+    UnitRow{Unit::cycle, says::cycles},
+    UnitRow{Unit::microsecond, says::micro_seconds},
+    UnitRow{Unit::millisecond, says::milli_seconds},
+    UnitRow{Unit::second, says::seconds},
+    UnitRow{Unit::hertz, says::hertz},
+    UnitRow{Unit::decibel, says::decibels},
+    UnitRow{Unit::degree, says::degrees},
+    UnitRow{Unit::radian, says::radians},
+    UnitRow{Unit::percent, says::percent},
+    UnitRow{Unit::share, says::percent},
+    UnitRow{Unit::micrometre, says::micro_metres},
+    UnitRow{Unit::millimetre, says::milli_metres},
+    UnitRow{Unit::millimetre_per_second, says::velocity},
+    UnitRow{Unit::micrometre_per_second, says::slow_velocity},
+    UnitRow{Unit::millimetre_per_minute, says::feed},
+    UnitRow{Unit::degree_per_second, says::turning},
+    UnitRow{Unit::millimetre_per_second_squared, says::small_acceleration},
+    UnitRow{Unit::metre_per_second_squared, says::acceleration},
+    UnitRow{Unit::degree_per_second_squared, says::turning_faster},
+    UnitRow{Unit::byte, says::bytes},
 };
 
 UnitRow const* row_of(Unit unit) {
@@ -102,11 +101,6 @@ std::string quantity_text(Quantity const& quantity, Language language) {
 std::string_view symbol(Unit unit, Language language) {
   auto const* const row = row_of(unit);
   return row == nullptr ? std::string_view{} : row->symbol.in(language);
-}
-
-std::string_view key_suffix(Unit unit) {
-  auto const* const row = row_of(unit);
-  return row == nullptr ? std::string_view{} : row->suffix;
 }
 
 std::string json_number(double value) {

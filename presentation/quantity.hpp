@@ -76,8 +76,6 @@ struct Quantity {
 [[nodiscard]] std::string quantity_text(Quantity const& quantity, Language language);
 /// "ms", as headings of columns have it; empty for numbers without a unit.
 [[nodiscard]] std::string_view symbol(Unit unit, Language language);
-/// The suffix of such a value's key in JSON and CSV: "_ms"; empty for numbers without a unit.
-[[nodiscard]] std::string_view key_suffix(Unit unit);
 
 /// For programs: reads back as the same double; "null" where there is no finite number.
 [[nodiscard]] std::string json_number(double value);

@@ -3,7 +3,7 @@
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/disk_files.hpp"
-#include "diagnostics/writers/json_text.hpp"
+#include "diagnostics/writers/json_stream.hpp"
 
 #include <charconv>
 #include <limits>

@@ -71,15 +71,9 @@ OutputFile::TemporaryFile::~TemporaryFile() {
   if (!path.empty()) system::remove(path);
 }
 
-OutputFile::OutputFile(std::string path, Durability durability)
-    : path_(std::move(path)), durability_(durability) {
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (path_ == "-") {
     take(system::File::standard_output());
-    return;
-  }
-  if (durability_ == Durability::of_name) {
-    target_ = path_;
-    open_beside(nullptr);
     return;
   }
   auto const status = system::status_of(path_);
@@ -147,8 +141,7 @@ void OutputFile::finish(std::string_view const* before) {
     require(file_.close());
     return;
   }
-  bool const syncs = durability_ == Durability::of_content;
-  if (syncs) require(file_.sync());
+  require(file_.sync());
   require(file_.close());
   if (before != nullptr && !is_content_of(target_, *before)) {
     throw Failure({.sentence = says::changed, .arguments = {{"file", path_}}}, cannot_write);
@@ -157,7 +150,7 @@ void OutputFile::finish(std::string_view const* before) {
   temporary_.interruption.reset();
   temporary_.path.clear();
   // The name survives a power failure only when its folder is synced too; the content is safe either way.
-  if (syncs) system::sync_folder(folder_of(target_));
+  system::sync_folder(folder_of(target_));
 }
 
 bool is_content_of(std::string const& path, std::string_view bytes) {

@@ -4,25 +4,19 @@
 #include "system/file.hpp"
 #include "system/interruption.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace axisc {
 
-/// The result of a power failure: always a complete file, or possibly a damaged one (much cheaper; for the
-/// files of a cache, which can be rebuilt and carry a checksum).
-enum class Durability : std::uint8_t { of_content, of_name };
-
 /// Writes to a temporary file next to the target, syncs and renames, so that no reader sees a partial file
 /// and an existing file is unchanged if anything fails or the program is interrupted. A symbolic link is
 /// followed, the old file's mode kept. A target that is not a regular file (a device, a pipe) is opened and
-/// written directly, never renamed over; "-" is standard output. A file of a cache replaces whatever has its
-/// name, without following links. Every function may throw a Failure (AX9002).
+/// written directly, never renamed over; "-" is standard output. Every function may throw a Failure (AX9002).
 class OutputFile {
  public:
-  explicit OutputFile(std::string path, Durability durability = Durability::of_content);
+  explicit OutputFile(std::string path);
   OutputFile(OutputFile const&) = delete;
   OutputFile& operator=(OutputFile const&) = delete;
   ~OutputFile() = default;
@@ -52,7 +46,6 @@ class OutputFile {
   void require(std::optional<system::Error> const& error) const;
 
   std::string path_;  ///< as the user wrote it
-  Durability durability_;
   std::string target_;  ///< with symbolic links resolved; empty when written directly
   TemporaryFile temporary_;
   system::File file_;

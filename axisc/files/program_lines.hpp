@@ -19,9 +19,8 @@ class ProgramLines {
   /// Calls `line` with each line, without its end, and its place in the program, until it returns false.
   void read(std::function<bool(std::string_view line, std::uint32_t offset)> const& line);
 
-  /// Bytes of the program, and how many of them have been read this time.
+  /// Bytes of the program.
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  [[nodiscard]] std::uint64_t read_so_far() const { return read_; }
 
  private:
   [[nodiscard]] std::size_t fill(char* buffer, std::size_t size);

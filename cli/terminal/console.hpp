@@ -24,8 +24,6 @@ class Console {
   void flush();
   /// Called before something is printed; may be empty.
   void before_printing(std::function<void()> action) { before_printing_ = std::move(action); }
-  /// Discards the collected text, after a failure.
-  void discard() { buffer_.clear(); }
 
  private:
   void print(std::string_view text);

@@ -38,8 +38,7 @@ void append_escaped(std::string& out, std::string_view text) {
     out += text;
     return;
   }
-  std::string const quoted =
-      escape_invisible(nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  std::string const quoted = json_string(text);
   out.append(quoted, 1, quoted.size() - 2);
 }
 
@@ -61,6 +60,11 @@ std::string escape_invisible(std::string json) {
     rest.remove_prefix(character.size);
   }
   return escaped;
+}
+
+std::string json_string(std::string_view text) {
+  using Json = nlohmann::json;
+  return escape_invisible(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void JsonStream::key(std::string_view name) {

@@ -12,6 +12,9 @@ namespace axisc {
 /// JSON text with `\u` escapes for characters that a reader would not see and a terminal might obey.
 [[nodiscard]] std::string escape_invisible(std::string json);
 
+/// With quotes and escapes, those of escape_invisible() as well; invalid UTF-8 becomes U+FFFD.
+[[nodiscard]] std::string json_string(std::string_view text);
+
 class JsonStream {
  public:
   /// Appends to `out` a value whose closing bracket is indented by `indent` blanks.

@@ -61,13 +61,3 @@ TEST_CASE("findings of equal axes in different files are different") {
   example.finding.file = "other/x.lis";
   CHECK(fingerprint(example.finding, example.sources) != here);
 }
-
-TEST_CASE("findings of one identity are counted") {
-  DelayExample const example;
-  std::vector<Finding> findings(3, example.finding);
-  findings[1].code = Code{3004};
-  number_occurrences(findings, example.sources);
-  CHECK(findings[0].occurrence == 1);
-  CHECK(findings[1].occurrence == 1);
-  CHECK(findings[2].occurrence == 2);
-}

@@ -5,6 +5,7 @@
 #include "support/golden.hpp"
 #include "whole_report.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,8 @@ struct ReportExample {
     Finding over_lines =
         error_at(place_of(full.sources, full.list, "LOWPASS\r\nfilter[0].quality"), "two lines");
     findings = {without_place, over_lines, full.finding, full.finding};
-    number_occurrences(findings, full.sources);
+    std::map<Identity, std::uint32_t> counts;
+    for (Finding& finding : findings) finding.occurrence = ++counts[identity_of(finding, full.sources)];
     context.rules = {
         {.code = Code{1005}, .name = "unused", .severity = Severity::error, .control = "", .page = {}},
         {.code = Code{3005},

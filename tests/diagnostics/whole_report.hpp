@@ -4,11 +4,28 @@
 #include "diagnostics/fingerprint.hpp"
 #include "diagnostics/writers/report_writer.hpp"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace axisc::test {
+
+/// The codes that were reported, the most frequent first.
+inline std::vector<CodeCount> count_codes(std::vector<Finding> const& findings) {
+  std::map<Code, CodeCount> by_code;
+  for (Finding const& finding : findings) {
+    CodeCount& row = by_code[finding.code];
+    row.code = finding.code;
+    row.name = finding.name;
+    ++row.count;
+    if (finding.fix) ++row.fixable;
+  }
+  std::vector<CodeCount> counts;
+  for (auto const& [code, row] : by_code) counts.push_back(row);
+  most_frequent_first(counts);
+  return counts;
+}
 
 /// The report of one input. `finding.occurrence` must be numbered where the format has fingerprints.
 inline std::string whole_report(FindingFormat format, std::vector<Finding> const& findings,

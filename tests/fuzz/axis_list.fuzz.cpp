@@ -50,9 +50,6 @@ void check_short_number(Assignment const& assignment, std::string_view bytes) {
 
 void check_value(Assignment const& assignment, std::string_view bytes) {
   std::string_view const token = bytes.substr(assignment.value.begin, assignment.value.size());
-  bool const is_integer = assignment.kind == ValueKind::integer || assignment.kind == ValueKind::hexadecimal;
-  // 2^64 - 1 has twenty digits, so anything shorter has a value.
-  if (is_integer && token.size() < 18) require(axisc::grammar::integer_value(token).has_value());
   if (assignment.kind == ValueKind::real && token.size() < 100) {
     bool const may_be_too_big = token.find_first_of("eE") != std::string_view::npos;
     require(may_be_too_big || axisc::grammar::real_value(token).has_value());

@@ -13,39 +13,7 @@
 
 namespace {
 
-using axisc::grammar::integer_value;
-using axisc::grammar::IntegerValue;
 using axisc::grammar::real_value;
-
-constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
-
-TEST_CASE("integers keep sign and magnitude") {
-  CHECK(integer_value("0") == IntegerValue{false, 0});
-  CHECK(integer_value("-0") == IntegerValue{false, 0});
-  CHECK(integer_value("20") == IntegerValue{false, 20});
-  CHECK(integer_value("+20") == IntegerValue{false, 20});
-  CHECK(integer_value("-20") == IntegerValue{true, 20});
-  CHECK(integer_value("0x1F") == IntegerValue{false, 31});
-  CHECK(integer_value("0Xff") == IntegerValue{false, 255});
-  CHECK(integer_value("18446744073709551615") == IntegerValue{false, largest});
-  CHECK(integer_value("-18446744073709551615") == IntegerValue{true, largest});
-  CHECK(integer_value("0xFFFFFFFFFFFFFFFF") == IntegerValue{false, largest});
-}
-
-TEST_CASE("a magnitude above 2^64 - 1 is no integer value") {
-  CHECK_FALSE(integer_value("18446744073709551616"));
-  CHECK_FALSE(integer_value("-18446744073709551616"));
-  CHECK_FALSE(integer_value("0x10000000000000000"));
-  CHECK_FALSE(integer_value(std::string(1000, '9')));
-}
-
-TEST_CASE("what is no integer token has no integer value") {
-  for (std::string_view const token :
-       {"", "+", "-", "0x", "1.5", "1e5", "abc", "0x1G", "--1", "+-1", " 1", "1 "}) {
-    INFO(token);
-    CHECK_FALSE(integer_value(token));
-  }
-}
 
 TEST_CASE("reals are the nearest double") {
   CHECK(real_value("1.8") == 1.8);

@@ -1,6 +1,6 @@
 #include "axisc/answers/comparison/compare_answer.hpp"
 
-#include "diagnostics/writers/json_text.hpp"
+#include "diagnostics/writers/json_stream.hpp"
 
 #include <algorithm>
 #include <array>
