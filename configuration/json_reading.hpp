@@ -7,6 +7,7 @@
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,6 +42,13 @@ class JsonReading {
     for (std::size_t const item : value.items) {
       if (readable_[item]) assign(*shape.items, document_[item], target.emplace_back());
     }
+  }
+  /// The enumerator of the word's number in `shape.words`.
+  template <typename T>
+  requires std::is_enum_v<T>
+  void assign(JsonShape const& shape, JsonValue const& value, T& target) const {
+    auto const word = std::find(shape.words.begin(), shape.words.end(), value.string);
+    target = static_cast<T>(word - shape.words.begin());
   }
   template <typename T>
   requires std::is_class_v<T>

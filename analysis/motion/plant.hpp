@@ -17,7 +17,7 @@
 
 namespace axisc::motion {
 
-enum class PositionFeedback { motor, direct };
+enum class PositionFeedback { direct, motor };
 
 struct PlantParameters {
   double motor_mass = 0;           ///< m_M, kg

@@ -20,7 +20,7 @@ namespace axisc {
 
 namespace {
 
-using configuration::by;
+using configuration::into;
 using configuration::JsonKey;
 using configuration::JsonReading;
 using configuration::JsonShape;
@@ -36,12 +36,6 @@ template <double PlantParameters::*member, double const& in = unit>
 void quantity(JsonReading const& /*reading*/, JsonShape const& /*shape*/, JsonValue const& value,
               void* target) {
   static_cast<PlantParameters*>(target)->*member = value.number * in;
-}
-
-void store_feedback(configuration::JsonDocument const& /*document*/, JsonValue const& value,
-                    PlantParameters& parameters) {
-  parameters.feedback =
-      value.string == "motor" ? motion::PositionFeedback::motor : motion::PositionFeedback::direct;
 }
 
 constexpr JsonShape from_zero(double highest = 1e12) {
@@ -95,7 +89,7 @@ constexpr std::array plant_keys = {
     JsonKey{"feedforward_percent", &feedforward, optional, "Velocity feedforward.",
             quantity<&PlantParameters::feedforward, percent>},
     JsonKey{"position_feedback", &feedback, optional,
-            "Which position is controlled; direct unless it says motor.", by<store_feedback>}};
+            "Which position is controlled; direct unless it says motor.", into<&PlantParameters::feedback>}};
 constexpr JsonShape plant_shape{.kind = Kind::object, .title = "Plant of one axis", .keys = plant_keys};
 constexpr JsonShape plants_shape{.kind = Kind::list, .items = &plant_shape};
 constexpr std::array file_keys = {JsonKey{"plants", &plants_shape, required, "One plant for each axis."}};

@@ -5,7 +5,6 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "axisc/settings/glob.hpp"
-#include "axisc/settings/language_word.hpp"
 #include "axisc/settings/located_file.hpp"
 #include "axisc/settings/schema_file.hpp"
 #include "axisc/settings/sentences.hpp"
@@ -66,10 +65,6 @@ void store_build(JsonDocument const& /*document*/, JsonValue const& value, Setti
   settings.build = validator::parse_build_version(value.string);
 }
 
-void store_language(JsonDocument const& /*document*/, JsonValue const& value, Settings& settings) {
-  settings.language = parse_language(value.string);
-}
-
 template <typename Target>
 void store_codes(JsonDocument const& document, JsonValue const& value, Target& target) {
   for (auto const item : value.items) target.disabled.push_back(*find_code(document[item].string));
@@ -77,10 +72,8 @@ void store_codes(JsonDocument const& document, JsonValue const& value, Target& t
 
 void store_severities(JsonDocument const& document, JsonValue const& value, Settings& settings) {
   for (auto const& member : value.members) {
-    auto const& word = document[member.value].string;
-    settings.severities[*find_code(member.key)] = word == "error"     ? Severity::error
-                                                  : word == "warning" ? Severity::warning
-                                                                      : Severity::note;
+    auto const word = std::find(severities.begin(), severities.end(), document[member.value].string);
+    settings.severities[*find_code(member.key)] = static_cast<Severity>(word - severities.begin());
   }
 }
 
@@ -91,38 +84,19 @@ constexpr auto kind_words = [] {
 }();
 constexpr JsonShape kind_shape{.words = kind_words};
 
-void store_kind(JsonDocument const& /*document*/, JsonValue const& value, PathSettings& settings) {
-  settings.kind = schema::find_list_kind(&schema::ListKindRow::word, value.string);
-}
-
-template <auto Readings_member, auto const& words>
-void store_reading(JsonDocument const& /*document*/, JsonValue const& value, design::Readings& readings) {
-  using Reading = std::remove_reference_t<decltype(readings.*Readings_member)>;
-  readings.*Readings_member = *design::reading_of<Reading>(words, value.string);
-}
 constexpr JsonShape filter_reading_shape{.words = design::filter_reading_words};
 constexpr JsonShape kernel_reading_shape{.words = design::kernel_reading_words};
 constexpr JsonShape cycle_reading_shape{.words = design::cycle_reading_words};
 constexpr std::array design_keys = {
     JsonKey{"filters", &filter_reading_shape, optional, "Of the standard filters filter[i].",
-            by<store_reading<&design::Readings::filters, design::filter_reading_words>>},
+            into<&design::Readings::filters>},
     JsonKey{"kernels", &kernel_reading_shape, optional, "Of filter_fir and the HSC filters.",
-            by<store_reading<&design::Readings::kernels, design::kernel_reading_words>>},
+            into<&design::Readings::kernels>},
     JsonKey{"cycle_time", &cycle_reading_shape, optional,
             "The cycle time that both are computed for, beside that of the NC.",
-            by<store_reading<&design::Readings::cycle_time, design::cycle_reading_words>>}};
+            into<&design::Readings::cycle_time>}};
 constexpr JsonShape design_shape{
     .kind = Kind::object, .title = "What the control makes of its filters", .keys = design_keys};
-
-/// By the number of the word.
-template <auto member>
-void store_motion(JsonReading const& /*reading*/, JsonShape const& shape, JsonValue const& value,
-                  void* target) {
-  auto& readings = *static_cast<machine::MotionReadings*>(target);
-  using Reading = std::remove_reference_t<decltype(readings.*member)>;
-  auto const word = std::find(shape.words.begin(), shape.words.end(), value.string);
-  readings.*member = static_cast<Reading>(word - shape.words.begin());
-}
 
 constexpr JsonShape projection_shape{.words = machine::projection_words};
 constexpr JsonShape border_shape{.words = machine::border_words};
@@ -135,34 +109,29 @@ constexpr JsonShape hsc_shape{.words = machine::hsc_words};
 constexpr std::array motion_keys = {
     JsonKey{"projection", &projection_shape, optional,
             "Ramps along a line between axes: the weakest jerk of all, or the longest ramp time.",
-            store_motion<&machine::MotionReadings::projection>},
+            into<&machine::MotionReadings::projection>},
     JsonKey{"borders", &border_shape, optional,
             "TRAPEZ and SIN2 between blocks: acceleration 0, or continuous.",
-            store_motion<&machine::MotionReadings::borders>},
+            into<&machine::MotionReadings::borders>},
     JsonKey{"sine", &sine_shape, optional,
             "SIN2: each ramp is a sin², the whole change is one, or ramps with the largest jerk of TRAPEZ.",
-            store_motion<&machine::MotionReadings::sine>},
+            into<&machine::MotionReadings::sine>},
     JsonKey{"circle", &circle_shape, optional,
             "Acceleration on circles: shared along and across the path, or all of it across.",
-            store_motion<&machine::MotionReadings::circle>},
+            into<&machine::MotionReadings::circle>},
     JsonKey{"corner", &corner_shape, optional,
             "Acceleration that a corner may take in a cycle: the lower one, up alone, or down alone.",
-            store_motion<&machine::MotionReadings::corner>},
+            into<&machine::MotionReadings::corner>},
     JsonKey{
         "weights", &transition_shape, optional,
         "Where P-CHAN-00117 is 0: the weight of curvature is at least that of acceleration, or the reverse.",
-        store_motion<&machine::MotionReadings::weights>},
+        into<&machine::MotionReadings::weights>},
     JsonKey{"cycles", &cycle_shape, optional, "Ramps of any length, or of whole cycles.",
-            store_motion<&machine::MotionReadings::cycles>},
+            into<&machine::MotionReadings::cycles>},
     JsonKey{"hsc", &hsc_shape, optional, "HSC: TRAPEZ on stretches of blocks, or on each block.",
-            store_motion<&machine::MotionReadings::hsc>}};
+            into<&machine::MotionReadings::hsc>}};
 constexpr JsonShape motion_shape{
     .kind = Kind::object, .title = "How the control plans a path", .keys = motion_keys};
-
-template <std::vector<std::string> Settings::*patterns>
-void store_patterns(JsonDocument const& document, JsonValue const& value, Settings& settings) {
-  for (auto const item : value.items) (settings.*patterns).push_back(document[item].string);
-}
 
 constexpr std::array path_keys = {
     JsonKey{"pattern", &configuration::json_text, required,
@@ -170,7 +139,7 @@ constexpr std::array path_keys = {
     JsonKey{"disable", &codes_shape, optional, "Findings that are not reported in these files.",
             by<store_codes<PathSettings>>},
     JsonKey{"kind", &kind_shape, optional, "Kind of these lists, whatever they say themselves.",
-            by<store_kind>}};
+            into<&PathSettings::kind>}};
 constexpr JsonShape path_shape{.kind = Kind::object, .title = "Settings of some files", .keys = path_keys};
 constexpr JsonShape paths_shape{.kind = Kind::list, .items = &path_shape};
 
@@ -180,7 +149,7 @@ constexpr std::array settings_keys = {
             into<&Settings::cycle_time>},
     JsonKey{"build", &build_shape, optional, "Build of the control that the lists are for, V3.1.3080.00.",
             by<store_build>},
-    JsonKey{"language", &language_shape, optional, "Language of messages.", by<store_language>},
+    JsonKey{"language", &language_shape, optional, "Language of messages.", into<&Settings::language>},
     JsonKey{
         "design", &design_shape, optional,
         "What the control makes of its filters where the manuals leave it open, as `axisc compare` finds it.",
@@ -197,10 +166,10 @@ constexpr std::array settings_keys = {
     JsonKey{
         "include", &configuration::json_texts, optional,
         "Patterns of the only files that are looked at where a folder is named, relative to the settings.",
-        by<store_patterns<&Settings::included>>},
+        into<&Settings::included>},
     JsonKey{"exclude", &configuration::json_texts, optional,
             "Patterns of files that are left out where a folder is named, relative to the settings.",
-            by<store_patterns<&Settings::excluded>>}};
+            into<&Settings::excluded>}};
 
 }  // namespace
 
