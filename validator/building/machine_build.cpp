@@ -165,17 +165,28 @@ class AxisBuilder {
     return built;
   }
 
-  /// Decisions of the filter mathematics: the band-pass has the Butterworth prototype, the all-pass Bessel's.
+  /// P-AXIS-00848. Decisions of the filter mathematics where it does not exist: the band-pass of the older
+  /// spelling has the Butterworth prototype, the all-pass Bessel's.
+  [[nodiscard]] static design::Prototype prototype_of(StageFilterView const& filter) {
+    if (filter.kind == StageFilterType::allpass) return design::Prototype::bessel;
+    if (filter.prototype == nullptr || filter.prototype->value.text == "BUTTERWORTH") {
+      return design::Prototype::butterworth;
+    }
+    return filter.prototype->value.text == "BESSEL" ? design::Prototype::bessel
+                                                    : design::Prototype::critical_damping;
+  }
+
   [[nodiscard]] std::optional<design::FilterSpecification> stage_filter(StageFilterView const& filter) const {
     constexpr double highest_order = 3;
     bool const bandpass = filter.kind == StageFilterType::bandpass;
     double const order = filter.order.value.number;
-    bool const usable =
-        !filter.order.unusable && !filter.frequency.unusable && !(bandpass && filter.quality.unusable);
+    bool const usable = !filter.order.unusable && !filter.frequency.unusable &&
+                        !(bandpass && (filter.quality.unusable ||
+                                       (filter.prototype != nullptr && filter.prototype->unusable)));
     if (!usable || !(order >= 1 && order <= highest_order)) return std::nullopt;
     design::FilterSpecification specification;
     specification.type = bandpass ? design::FilterType::bandpass : design::FilterType::allpass;
-    specification.prototype = bandpass ? design::Prototype::butterworth : design::Prototype::bessel;
+    specification.prototype = prototype_of(filter);
     specification.order = static_cast<std::uint32_t>(order);
     specification.frequency = {filter.frequency.value.number};
     if (bandpass) specification.quality = filter.quality.value.number;

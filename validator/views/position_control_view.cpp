@@ -18,6 +18,7 @@ enum class Member : std::uint8_t {
   older_frequency,
   older_quality,
   type,
+  prototype,
   order,
   frequency,
   quality,
@@ -28,7 +29,7 @@ struct MemberRow {
   bool per_filter;  ///< filter[k].x
 };
 
-constexpr std::array<MemberRow, 12> members = {{
+constexpr std::array<MemberRow, 13> members = {{
     {.name = "mode", .per_filter = false},
     {.name = "weight_fact_num", .per_filter = false},
     {.name = "weight_fact_denom", .per_filter = false},
@@ -38,6 +39,7 @@ constexpr std::array<MemberRow, 12> members = {{
     {.name = "filter.fg_f0", .per_filter = false},
     {.name = "filter.q_factor", .per_filter = false},
     {.name = "filter[].type", .per_filter = true},
+    {.name = "filter[].prototype", .per_filter = true},
     {.name = "filter[].order", .per_filter = true},
     {.name = "filter[].fg_f0", .per_filter = true},
     {.name = "filter[].q_factor", .per_filter = true},
@@ -93,6 +95,7 @@ StageFilterType kind_of(EffectiveValue const& type, std::uint32_t filter) {
 
 StageFilterView older_filter(EffectiveValues const& values, std::uint32_t stage) {
   return {.type = nullptr,
+          .prototype = nullptr,
           .order = stage_value(values, stage, Member::older_order),
           .frequency = stage_value(values, stage, Member::older_frequency),
           .quality = stage_value(values, stage, Member::older_quality),
@@ -102,6 +105,7 @@ StageFilterView older_filter(EffectiveValues const& values, std::uint32_t stage)
 StageFilterView newer_filter(EffectiveValues const& values, std::uint32_t stage, std::uint32_t filter) {
   EffectiveValue const& type = stage_value(values, stage, Member::type, filter);
   return {.type = &type,
+          .prototype = &stage_value(values, stage, Member::prototype, filter),
           .order = stage_value(values, stage, Member::order, filter),
           .frequency = stage_value(values, stage, Member::frequency, filter),
           .quality = stage_value(values, stage, Member::quality, filter),
@@ -133,8 +137,8 @@ bool StageView::simulates() const {
 
 bool StageView::uses_newer_filters() const {
   return std::any_of(newer.begin(), newer.end(), [](StageFilterView const& filter) {
-    return filter.type->set() || configured(filter.order) || configured(filter.frequency) ||
-           configured(filter.quality);
+    return filter.type->set() || filter.prototype->set() || configured(filter.order) ||
+           configured(filter.frequency) || configured(filter.quality);
   });
 }
 

@@ -19,7 +19,8 @@ enum class StageFilterType : std::uint8_t { none, bandpass, allpass };
 
 /// References stay valid while the EffectiveValues live.
 struct StageFilterView {
-  EffectiveValue const* type;  ///< null in the older spelling: always a band-pass
+  EffectiveValue const* type;       ///< null in the older spelling: always a band-pass
+  EffectiveValue const* prototype;  ///< null in the older spelling, of the band-pass
   EffectiveValue const& order;
   EffectiveValue const& frequency;
   EffectiveValue const& quality;  ///< q_factor, for the band-pass

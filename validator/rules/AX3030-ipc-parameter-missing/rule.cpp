@@ -21,6 +21,9 @@ constexpr Sentence limit_simulated{
     "defaults are invalid",
     "eine aktive Stufe braucht order (1 bis 3), fg_f0, q_factor, in INDIRECT und SET_POINT auch damping: "
     "deren Standardwerte sind ungültig"};
+constexpr Sentence second_bandpass{
+    "`filter[0]` without a prototype is CRIT_DAMPING, a band-pass behind it must name its own",
+    "`filter[0]` ist ohne Prototyp CRIT_DAMPING, ein Bandpass dahinter muss seinen nennen"};
 constexpr Sentence reaction{"it reports each of them as out of range",
                             "sie meldet jeden davon als außerhalb des Bereichs"};
 
@@ -53,10 +56,17 @@ class Missing {
     append(names_, ", ", '`' + name_in_stage(value) + '`');
     append(messages_, "/", message);
   }
+  /// The default does not count here.
+  void look_at_prototype(EffectiveValue const& value) {
+    if (value.set() || value.unusable) return;
+    append(names_, ", ", '`' + name_in_stage(value) + '`');
+    lacks_prototype_ = true;
+  }
 
   [[nodiscard]] bool empty() const { return names_.empty(); }
   [[nodiscard]] std::string const& names() const { return names_; }
   [[nodiscard]] std::string const& messages() const { return messages_; }
+  [[nodiscard]] bool lacks_prototype() const { return lacks_prototype_; }
 
  private:
   static void append(std::string& list, std::string_view separator, std::string_view item) {
@@ -67,6 +77,7 @@ class Missing {
 
   std::string names_;
   std::string messages_;
+  bool lacks_prototype_ = false;
 };
 
 Missing missing_in(StageView const& stage) {
@@ -78,6 +89,8 @@ Missing missing_in(StageView const& stage) {
     missing.look_at(filter.order, other != nullptr ? &other->order : nullptr, no_order);
     missing.look_at(filter.frequency, other != nullptr ? &other->frequency : nullptr, no_frequency);
     if (filter.kind != StageFilterType::bandpass) continue;
+    bool const is_behind = is_newer && filter.type != stage.newer.front().type;
+    if (is_behind) missing.look_at_prototype(*filter.prototype);
     missing.look_at(filter.quality, other != nullptr ? &other->quality : nullptr, no_quality);
   }
   if (stage.simulates()) missing.look_at(stage.damping(), nullptr, no_damping);
@@ -92,6 +105,7 @@ void ipc_parameter_missing(AxisContext const& axis, Report& report) {
         stage.mode, {says::headline, {{"stage", number(stage.index)}, {"mode", symbol_word(stage.mode)}}});
     finding.label = Message{says::label, {{"parameters", missing.names()}}};
     finding.notes.push_back({stage.simulates() ? says::limit_simulated : says::limit, {}});
+    if (missing.lacks_prototype()) finding.notes.push_back({says::second_bandpass, {}});
     react(finding, missing.messages(), {says::reaction, {}});
   }
 }
@@ -99,8 +113,6 @@ void ipc_parameter_missing(AxisContext const& axis, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3030{
-    .code = Code{3030},
-    .name = "ipc-parameter-missing",
     .control = control_numbers<no_frequency, no_order, no_quality, no_damping>,
     .parameters = "ipc.stage[].* ipc.enable",
     .check = ipc_parameter_missing,
