@@ -25,6 +25,10 @@ machine::DriveType const* drive_of(LoadedAxis const& axis) {
   return find_drive([&](machine::DriveType const& drive) { return drive.number == type.value.number; });
 }
 
+machine::DriveType const* stated_drive(LoadedAxis const& axis) {
+  return axis.drive || axis.merged.values.at("kenngr.antr_typ").set() ? drive_of(axis) : nullptr;
+}
+
 Wording drive_name(machine::DriveType const& drive) {
   return number_name(row_at("kenngr.antr_typ"),
                      {.word = drive.word, .number = static_cast<int>(drive.number)});

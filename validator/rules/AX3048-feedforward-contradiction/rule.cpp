@@ -1,0 +1,53 @@
+#include "validator/engine/rule.hpp"
+
+#include "validator/rules/control_numbers.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/views/feedforward_view.hpp"
+
+#include <string_view>
+
+namespace axisc::validator::says {
+
+constexpr Sentence disabled{"feedforward is disabled, but P-AXIS-00223 names {value}",
+                            "die Vorsteuerung ist gesperrt, aber P-AXIS-00223 nennt {value}"};
+constexpr Sentence empty{
+    "feedforward is active from the start, but P-AXIS-00223 names nothing to feed forward",
+    "die Vorsteuerung ist von Anfang an aktiv, aber P-AXIS-00223 nennt nichts, was vorzusteuern ist"};
+
+}  // namespace axisc::validator::says
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr std::string_view disabled_with_quantities = "110343";
+constexpr std::string_view active_without_quantities = "110356";
+
+bool is_on(EffectiveValue const& flag) {
+  return !flag.unusable && flag.value.flag();
+}
+
+void feedforward_contradiction(AxisContext const& axis, Report& report) {
+  FeedforwardView const feedforward(axis.values);
+  EffectiveValue const& disabled = axis.values.at("vorsteuer.global_disable");
+  EffectiveValue const& active = axis.values.at("vorsteuer.default_active");
+  EffectiveValue const& quantities = feedforward.quantities;
+  if (quantities.unusable) return;
+  if (is_on(disabled) && quantities.value.flag()) {
+    Finding& finding = report.add(disabled, {says::disabled, {{"value", symbol_word(quantities)}}});
+    finding.control.emplace().message = disabled_with_quantities;
+  }
+  if (is_on(active) && feedforward.is_none()) {
+    Finding& finding = report.add(active, {says::empty, {}});
+    finding.control.emplace().message = active_without_quantities;
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax3048{
+    .control = control_numbers<disabled_with_quantities, active_without_quantities>,
+    .parameters = "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.global_disable",
+    .check = feedforward_contradiction,
+};
+
+}  // namespace axisc::validator::checks

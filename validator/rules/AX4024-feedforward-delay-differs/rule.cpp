@@ -1,0 +1,118 @@
+#include "validator/engine/rule.hpp"
+
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/group_delays.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/delay_budget.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "the axes of the channel are out of step by {cycles} cycles ({milliseconds}): feedforward differs",
+    "die Achsen des Kanals laufen um {cycles} Zyklen ({milliseconds}) auseinander: die Vorsteuerung ist "
+    "verschieden"};
+constexpr Sentence axis_part{"axis \"{axis}\": {cycles} cycles beside its filters",
+                             "Achse „{axis}“: {cycles} Zyklen neben ihren Filtern"};
+constexpr Sentence deviation{
+    "on a line at 45° or a circle at {feed} mm/min that is up to {deviation} µm",
+    "auf einer Geraden unter 45° oder einem Kreis mit {feed} mm/min sind das bis zu {deviation} µm"};
+constexpr Sentence reading{"that the 5 cycles count for each axis alone is a reading",
+                           "dass die 5 Zyklen für jede Achse einzeln gelten, ist eine Lesart"};
+
+}  // namespace axisc::validator::says
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double mm_per_min_of_um_per_s = 0.06;
+
+struct Part {
+  LoadedAxis const* axis;
+  double cycles = 0;  ///< of the position, without filters and lag
+};
+
+std::optional<Part> part_of(LoadedAxis const& axis, design::CycleTime cycle_time) {
+  auto const budget = delay_budget(axis, cycle_time);
+  if (!budget) return std::nullopt;
+  Part part{.axis = &axis};
+  for (DelayItem const& item : budget->items) {
+    bool const counts = item.kind == DelayKind::interpolator || item.kind == DelayKind::balancing;
+    if (counts) part.cycles += item.position;
+  }
+  return part;
+}
+
+/// The last line of the axis that says something about feedforward; null where no list does.
+EffectiveValue const* line_about_feedforward(LoadedAxis const& axis) {
+  constexpr std::array<std::string_view, 5> parameters{
+      "vorsteuer.vorsteuerung", "vorsteuer.default_active", "vorsteuer.global_disable",
+      "vorsteuer.feedforward_without_delay", "vorsteuer.timeconst_sym_filter"};
+  EffectiveValue const* last = nullptr;
+  for (std::string_view const name : parameters) {
+    EffectiveValue const& value = axis.merged.values.at(name);
+    if (!value.value_place()) continue;
+    if (last == nullptr || *last->value_place() < *value.value_place()) last = &value;
+  }
+  return last;
+}
+
+double lowest_feed(GroupContext const& context) {
+  double lowest = INFINITY;
+  for (std::size_t const index : context.group.axes) {
+    EffectiveValue const& limit =
+        context.whole.machine.axes[index].merged.values.at("getriebe[].dynamik.vb_max");
+    if (!limit.unusable) lowest = std::min(lowest, limit.value.number);
+  }
+  return lowest;
+}
+
+void feedforward_delay_differs(GroupContext const& context, Report& report) {
+  design::CycleTime const cycle_time = context.whole.cycle_time;
+  // Where filters differ, AX4011 reports the channel.
+  Delays const delays = delays_of(context);
+  if (delays.size() < 2 || spread(delays) >= noticeable_delay) return;
+  std::vector<Part> parts;
+  for (DelayedAxis const& delayed : delays) {
+    if (auto const part = part_of(delayed.axis, cycle_time)) parts.push_back(*part);
+  }
+  auto const less = [](Part const& left, Part const& right) { return left.cycles < right.cycles; };
+  auto const [least, most] = std::minmax_element(parts.begin(), parts.end(), less);
+  if (least == parts.end() || most->cycles - least->cycles < noticeable_delay) return;
+  double const difference = most->cycles - least->cycles;
+  Part const& reported = line_about_feedforward(*most->axis) != nullptr ? *most : *least;
+  EffectiveValue const* const line = line_about_feedforward(*reported.axis);
+  if (line == nullptr) return;
+  report.axis = reported.axis->name;
+  Finding& finding =
+      report.add(*line, {says::headline,
+                         {{"cycles", cycles_text(difference)},
+                          {"milliseconds", milliseconds(difference * cycle_time.microseconds() / 1e3)}}});
+  for (Part const& part : parts) {
+    finding.notes.push_back(
+        {says::axis_part, {{"axis", part.axis->name}, {"cycles", cycles_text(part.cycles)}}});
+  }
+  if (double const feed = lowest_feed(context); std::isfinite(feed)) {
+    finding.notes.push_back({says::deviation,
+                             {{"feed", number(feed * mm_per_min_of_um_per_s)},
+                              {"deviation", number(deviation_of_mismatch(feed, difference, cycle_time))}}});
+  }
+  finding.notes.push_back({says::reading, {}});
+  finding.help.push_back({says::group_help_same, {}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax4024{
+    .severity = Severity::warning,
+    .parameters =
+        "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.global_disable "
+        "vorsteuer.feedforward_without_delay vorsteuer.timeconst_sym_filter kenngr.antr_typ",
+    .needs = Needs::cycle_time,
+    .check = feedforward_delay_differs,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,66 @@
+#include "validator/engine/rule.hpp"
+
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/group_delays.hpp"
+#include "validator/views/delay_budget.hpp"
+
+#include <cmath>
+
+namespace axisc::validator::says {
+
+constexpr Sentence early{
+    "the velocity that is fed forward leads its position by {cycles} cycles ({milliseconds})",
+    "die vorgesteuerte Geschwindigkeit eilt ihrer Position um {cycles} Zyklen ({milliseconds}) voraus"};
+constexpr Sentence late{
+    "the velocity that is fed forward lags its position by {cycles} cycles ({milliseconds})",
+    "die vorgesteuerte Geschwindigkeit hinkt ihrer Position um {cycles} Zyklen ({milliseconds}) nach"};
+constexpr Sentence item{"`{parameter}` ({p_axis}) is {cycles} cycles of it",
+                        "`{parameter}` ({p_axis}) macht davon {cycles} Zyklen aus"};
+constexpr Sentence default_item{
+    "`{parameter}` ({p_axis}), not in the lists, is {cycles} cycles of it by default",
+    "`{parameter}` ({p_axis}), das in keiner Liste steht, macht davon als Standardwert {cycles} Zyklen aus"};
+constexpr Sentence deviation{"at the acceleration limit the axis is {deviation} µm off",
+                             "an der Beschleunigungsgrenze weicht die Achse um {deviation} µm ab"};
+
+}  // namespace axisc::validator::says
+
+namespace axisc::validator::checks {
+namespace {
+
+void feedforward_lead(AxisContext const& context, Report& report) {
+  LoadedAxis const& axis = context.machine.axes[context.index];
+  EffectiveValue const& active = context.values.at("vorsteuer.default_active");
+  if (active.unusable || !active.value.flag() || !active.value_place()) return;
+  auto const budget = delay_budget(axis, context.cycle_time);
+  if (!budget || std::abs(budget->lead()) < noticeable_delay) return;
+  double const cycles = std::abs(budget->lead());
+  Finding& finding = report.add(
+      active, {budget->lead() > 0 ? says::early : says::late,
+               {{"cycles", cycles_text(cycles)},
+                {"milliseconds", milliseconds(cycles * context.cycle_time.microseconds() / 1e3)}}});
+  for (DelayItem const& item : budget->items) {
+    double const share = item.position - item.velocity;
+    bool const is_own_lag = item.kind == DelayKind::lag;
+    if (share == 0 || is_own_lag || item.cause == nullptr) continue;
+    finding.notes.push_back({item.cause->set() ? says::item : says::default_item,
+                             {{"parameter", parameter_name(*item.cause)},
+                              {"p_axis", parameter_number(*item.cause)},
+                              {"cycles", cycles_text(share)}}});
+  }
+  if (auto const deviation = deviation_of_lead(axis, cycles, context.cycle_time)) {
+    finding.notes.push_back({says::deviation, {{"deviation", number(*deviation)}}});
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax4025{
+    .severity = Severity::note,
+    .parameters =
+        "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.shift_time vorsteuer.velocity_delay_time "
+        "vorsteuer.timeconst_sym_filter kenngr.delay_filter_only_position kenngr.antr_typ",
+    .needs = Needs::cycle_time,
+    .check = feedforward_lead,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,176 @@
+#include "validator/views/delay_budget.hpp"
+
+#include "validator/views/axis_delay.hpp"
+#include "validator/views/drive.hpp"
+#include "validator/views/feedforward_view.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace axisc::validator {
+namespace {
+
+constexpr double interpolator_cycles = 5;
+constexpr double micro = 1e-6;
+/// P-AXIS-00099 counts in hundredths of 1/s.
+constexpr double kv_unit = 1e-2;
+constexpr double micrometres_per_millimetre = 1000;
+
+bool is_on(EffectiveValue const& flag) {
+  return !flag.unusable && flag.value.flag();
+}
+
+struct QuantityTime {
+  std::string_view parameter;
+  Feedforward needs;
+  double DelayItem::*path;
+  bool with_lightbus = false;
+};
+
+constexpr std::array quantity_times{
+    QuantityTime{"vorsteuer.velocity_delay_time", Feedforward::added_velocity, &DelayItem::velocity},
+    QuantityTime{"vorsteuer.acceleration_delay_time", Feedforward::added_acceleration,
+                 &DelayItem::acceleration, true},
+    QuantityTime{"vorsteuer.jerk_delay_time", Feedforward::added_jerk, &DelayItem::jerk}};
+
+class Budget {
+ public:
+  Budget(LoadedAxis const& axis, design::CycleTime cycle_time, FeedforwardState state)
+      : axis_(axis), values_(axis.merged.values), cycle_time_(cycle_time), drive_(drive_of(axis)) {
+    bool const is_switched_on =
+        state == FeedforwardState::on || is_on(values_.at("vorsteuer.default_active"));
+    bool const is_possible = !feedforward_.quantities.unusable && feedforward_.quantities.value.flag() &&
+                             !is_on(values_.at("vorsteuer.global_disable"));
+    result_.feeds_forward = is_possible && is_switched_on;
+  }
+
+  std::optional<DelayBudget> take() {
+    auto const filters = axis_delay(values_, cycle_time_);
+    if (!filters) return std::nullopt;
+    add_filters(*filters);
+    if (result_.feeds_forward) add_feedforward();
+    if (is_profidrive()) {
+      EffectiveValue const& balancing = values_.at("vorsteuer.timeconst_sym_filter");
+      add({.kind = DelayKind::balancing,
+           .cause = &balancing,
+           .position = cycles_of(balancing),
+           .is_reading = true});
+    }
+    add_lag();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_profidrive() const { return drive_ != nullptr && drive_->number == profidrive; }
+  [[nodiscard]] double cycles_of(EffectiveValue const& time) const {
+    return time.unusable ? 0 : cycle_time_.cycles({time.value.number});
+  }
+
+  void add(DelayItem item) {
+    if (item.position == 0 && item.velocity == 0 && item.acceleration == 0 && item.jerk == 0) return;
+    result_.position += item.position;
+    result_.velocity += item.velocity;
+    result_.acceleration += item.acceleration;
+    result_.jerk += item.jerk;
+    result_.items.push_back(std::move(item));
+  }
+
+  /// The same on all paths.
+  static DelayItem everywhere(DelayItem item, double cycles) {
+    item.position = item.velocity = item.acceleration = item.jerk = cycles;
+    return item;
+  }
+
+  /// Feedforward is computed from the filtered setpoint; with P-AXIS-00513 the time delay at the end of the
+  /// filters acts on the position alone. That FIR and HSC filters lie before the tap as well is a reading.
+  void add_filters(AxisDelay const& filters) {
+    bool const delays_position_alone = is_on(values_.at("kenngr.delay_filter_only_position"));
+    for (std::size_t i = 0; i < filters.shares.size(); ++i) {
+      auto const& share = filters.shares[i];
+      bool const is_standard = i < filters.filters.size();
+      bool const is_last = i + 1 == filters.filters.size();
+      DelayItem item{.kind = DelayKind::filter,
+                     .filter = share.filter,
+                     .cause = share.cause,
+                     .is_reading = !is_standard};
+      bool const is_position_alone =
+          delays_position_alone && is_last && filters.filters[i].type == design::FilterType::time_delay;
+      if (is_position_alone) {
+        item.position = share.cycles;
+        item.is_reading = true;
+      } else {
+        item = everywhere(std::move(item), share.cycles);
+      }
+      add(std::move(item));
+    }
+  }
+
+  void add_feedforward() {
+    EffectiveValue const& undelayed = values_.at("vorsteuer.feedforward_without_delay");
+    if (!is_on(undelayed)) {
+      add(everywhere({.kind = DelayKind::interpolator, .cause = &undelayed}, interpolator_cycles));
+    }
+    EffectiveValue const& shift = values_.at("vorsteuer.shift_time");
+    if (is_profidrive() && !shift.unusable) {
+      auto item = everywhere({.kind = DelayKind::shift, .cause = &shift}, -shift.value.number);
+      item.position = 0;
+      add(std::move(item));
+    }
+    for (auto const& time : quantity_times) {
+      bool const is_lightbus = time.with_lightbus && drive_ != nullptr && drive_->number == lightbus;
+      bool const reaches_drive = drive_ != nullptr && (drive_->digital || is_lightbus);
+      if (!reaches_drive || !feedforward_.uses(time.needs)) continue;
+      DelayItem item{.kind = DelayKind::quantity, .cause = &values_.at(time.parameter)};
+      item.*time.path = cycles_of(*item.cause);
+      add(std::move(item));
+    }
+  }
+
+  /// (1 - w)/Kv: what the position controller of the NC lags behind at constant velocity.
+  void add_lag() {
+    EffectiveValue const& gain = values_.at("getriebe[].kv");
+    bool const is_in_nc = position_controller(axis_) == machine::PositionController::cnc;
+    if (!is_in_nc || gain.unusable || !(gain.value.number > 0)) return;
+    double const weight = result_.feeds_forward && feedforward_.uses(Feedforward::velocity)
+                              ? values_.at("vorsteuer.vs_v_faktor").value.number /
+                                    std::max(values_.at("vorsteuer.vs_v_nenner").value.number, 1.0)
+                              : 0;
+    double const seconds = (1 - weight) / (gain.value.number * kv_unit);
+    add({.kind = DelayKind::lag,
+         .cause = &gain,
+         .position = seconds / (cycle_time_.microseconds() * micro),
+         .is_reading = true});
+  }
+
+  static constexpr std::uint32_t lightbus = 5;
+
+  LoadedAxis const& axis_;
+  EffectiveValues const& values_;
+  design::CycleTime cycle_time_;
+  machine::DriveType const* drive_;
+  FeedforwardView feedforward_{axis_.merged.values};
+  DelayBudget result_;
+};
+
+}  // namespace
+
+std::optional<DelayBudget> delay_budget(LoadedAxis const& axis, design::CycleTime cycle_time,
+                                        FeedforwardState state) {
+  return Budget(axis, cycle_time, state).take();
+}
+
+double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time) {
+  return feed * mismatch * cycle_time.microseconds() * micro / 2;
+}
+
+std::optional<double> deviation_of_lead(LoadedAxis const& axis, double lead, design::CycleTime cycle_time) {
+  EffectiveValue const& gain = axis.merged.values.at("getriebe[].kv");
+  EffectiveValue const& acceleration = axis.merged.values.at("getriebe[].dynamik.a_max");
+  bool const is_known = !gain.unusable && gain.value.number > 0 && !acceleration.unusable;
+  if (!is_known) return std::nullopt;
+  double const seconds = lead * cycle_time.microseconds() * micro;
+  return acceleration.value.number * micrometres_per_millimetre * seconds / (gain.value.number * kv_unit);
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,66 @@
+// What delays the position of an axis, and what delays the quantities that are fed forward: both reach the
+// drive on their own path, and what does not arrive together becomes a deviation.
+#pragma once
+
+#include "validator/loading/loading.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::validator {
+
+/// Whether the program has switched feedforward on.
+enum class FeedforwardState : std::uint8_t {
+  at_start,  ///< as P-AXIS-00255 says
+  on,        ///< after G135
+};
+
+enum class DelayKind : std::uint8_t {
+  filter,        ///< filter[i], filter_fir, HSC
+  interpolator,  ///< the cycles between interpolator and position controller while feedforward is used
+  shift,         ///< P-AXIS-00165: feedforward goes out earlier
+  quantity,      ///< P-AXIS-00389, 00390, 00547: of one quantity
+  balancing,     ///< P-AXIS-00361: of the position
+  lag,           ///< of the position controller without full velocity feedforward
+};
+
+/// In NC cycles; 0 on the paths that it does not delay.
+struct DelayItem {
+  DelayKind kind{};
+  std::string filter = {};                ///< of DelayKind::filter: `filter[0]`
+  EffectiveValue const* cause = nullptr;  ///< its parameter, valid while the EffectiveValues live
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  double jerk = 0;
+  bool is_reading = false;  ///< inferred, not documented
+};
+
+struct DelayBudget {
+  std::vector<DelayItem> items;  ///< those that are not 0, on the way to the drive
+  bool feeds_forward = false;    ///< otherwise nothing is on the other path, and its sums mean nothing
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  double jerk = 0;
+
+  /// Positive: the velocity arrives before the position that belongs to it. 0 without feedforward.
+  [[nodiscard]] double lead() const { return feeds_forward ? position - velocity : 0; }
+};
+
+/// None if a filter cannot be designed: its delay is then unknown. Where the drive type is not stated, what
+/// needs one counts as absent. Cost: one design per active filter.
+[[nodiscard]] std::optional<DelayBudget> delay_budget(LoadedAxis const& axis, design::CycleTime cycle_time,
+                                                      FeedforwardState state = FeedforwardState::at_start);
+
+/// The largest deviation of a straight line or a circle between two axes, in µm: F ΔP/2 at 45°. `feed` in
+/// µm/s, `mismatch` in cycles.
+[[nodiscard]] double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time);
+/// How far a lead of the velocity takes an axis ahead while it accelerates, in µm: a L/Kv. None without an
+/// acceleration limit or a gain of the position controller.
+[[nodiscard]] std::optional<double> deviation_of_lead(LoadedAxis const& axis, double lead,
+                                                      design::CycleTime cycle_time);
+
+}  // namespace axisc::validator
