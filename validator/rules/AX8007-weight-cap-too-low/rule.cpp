@@ -84,8 +84,6 @@ void weight_cap_too_low(GroupContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax8007{
-    .code = Code{8007},
-    .name = "weight-cap-too-low",
     .severity = Severity::warning,
     .parameters =
         "getriebe[].dynamik.a_w_max getriebe[].dynamik.a_max getriebe[].slope_profil.a_beschl "
