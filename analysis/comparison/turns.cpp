@@ -61,4 +61,10 @@ std::size_t unwind(Recording& recording, double turn) {
   return jumps;
 }
 
+std::size_t unwind(Signal& signal, std::vector<std::size_t> const& gaps, double turn) {
+  auto found = unwound(signal, gaps, turn);
+  if (found.jumps > 0) signal = std::move(found.signal);
+  return found.jumps;
+}
+
 }  // namespace axisc::comparison

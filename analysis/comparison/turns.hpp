@@ -11,5 +11,7 @@ namespace axisc::comparison {
 /// later ones move by turns. Interpolated values of lost cycles are computed again. Returns the number of
 /// jumps.
 std::size_t unwind(Recording& recording, double turn);
+/// One column alone.
+std::size_t unwind(Signal& signal, std::vector<std::size_t> const& gaps, double turn);
 
 }  // namespace axisc::comparison

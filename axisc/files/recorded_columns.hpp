@@ -21,10 +21,8 @@ struct RecordedColumns {
   std::size_t repeated = 0;         ///< rows that were recorded twice and are left out
 };
 
-/// Rows as in analysis/recordings/number_rows.hpp. A column whose name begins with "time" or "zeit" is the
-/// time of the columns after it, in ms unless the name ends in "_s" or "[s]"; without names the first of
-/// three columns, and the first of each pair of four. `name` is the file in messages. Failure (AX9005) for a
-/// mistake, also where more than a quarter of the cycles is lost.
+/// Rows as in recorded_signals.hpp; without names the only two columns that are no time. `name` is the file
+/// in messages. Failure (AX9005) for a mistake.
 [[nodiscard]] RecordedColumns read_recorded_columns(std::string const& name, recordings::ByteSource source,
                                                     WantedColumns const& wanted,
                                                     design::CycleTime cycle_time);

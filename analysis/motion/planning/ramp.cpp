@@ -83,7 +83,8 @@ Ramp::Course Ramp::course(double change) const {
   }
   if (!rules_.whole_cycles) return course;
   course.slow_end = whole_cycles(course.slow_end);
-  course.held = whole_cycles(course.held);
+  // A peak that is just reached is not held: rounding makes no cycle of it.
+  course.held = course.held > whole ? whole_cycles(course.held) : 0;
   course.fast_end = whole_cycles(course.fast_end);
   course.peak = change / ((course.slow_end + course.fast_end) / 2 + course.held);
   return course;

@@ -99,7 +99,9 @@ RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, s
                      .readings = comparison::readings(chain),
                      .result = {},
                      .is_rotary = image.axes[axis].type != translatory};
-  found.thousandths = thousandths_of(unit, image.axes[axis], found.columns.recording);
+  auto const& recording = found.columns.recording;
+  bool const whole = is_whole(recording.input, recording.gaps) && is_whole(recording.output, recording.gaps);
+  found.thousandths = thousandths_of(unit, image.axes[axis], whole);
   if (auto const range = modulo_range(image.axes[axis])) {
     found.jumps = comparison::unwind(found.columns.recording, *range / found.thousandths);
   }

@@ -54,15 +54,13 @@ double increment(image::ImageAxis const& axis) {
   return thousandths_per_tenth * static_cast<double>(path) / static_cast<double>(increments);
 }
 
-bool is_whole(comparison::Recording const& recording) {
-  return comparison::resolution(recording.input, recording.gaps) == 1 &&
-         comparison::resolution(recording.output, recording.gaps) == 1;
-}
-
 }  // namespace
 
-double thousandths_of(RecordedUnit unit, image::ImageAxis const& axis,
-                      comparison::Recording const& recording) {
+bool is_whole(comparison::Signal const& signal, std::vector<std::size_t> const& gaps) {
+  return comparison::resolution(signal, gaps) == 1;
+}
+
+double thousandths_of(RecordedUnit unit, image::ImageAxis const& axis, bool is_whole) {
   constexpr double per_mm = 1000;
   switch (unit) {
     case RecordedUnit::tenths:
@@ -76,7 +74,7 @@ double thousandths_of(RecordedUnit unit, image::ImageAxis const& axis,
     case RecordedUnit::recognised:
       break;
   }
-  return is_whole(recording) ? thousandths_per_tenth : per_mm;
+  return is_whole ? thousandths_per_tenth : per_mm;
 }
 
 std::optional<double> modulo_range(image::ImageAxis const& axis) {

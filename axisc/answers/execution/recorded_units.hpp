@@ -1,11 +1,13 @@
 // What the numbers of a recording mean for an axis.
 #pragma once
 
-#include "analysis/comparison/verdict.hpp"
+#include "analysis/comparison/signal.hpp"
 #include "image/image_contents.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace axisc {
 
@@ -17,10 +19,12 @@ enum class RecordedUnit : std::uint8_t {
   increments  ///< of the measuring system: P-AXIS-00233 and P-AXIS-00234 say how long one is
 };
 
+/// All values outside the gaps are whole numbers.
+[[nodiscard]] bool is_whole(comparison::Signal const& signal, std::vector<std::size_t> const& gaps);
+
 /// µm, or 0.001°, of one unit. Where the unit is to be recognised, whole numbers are those of CNC objects.
 /// Failure for increments of an axis whose image does not hold the lists' values.
-[[nodiscard]] double thousandths_of(RecordedUnit unit, image::ImageAxis const& axis,
-                                    comparison::Recording const& recording);
+[[nodiscard]] double thousandths_of(RecordedUnit unit, image::ImageAxis const& axis, bool is_whole);
 
 /// By how many µm or 0.001° the position of the axis jumps where its modulo range ends (P-AXIS-00126,
 /// P-AXIS-00127); a full turn of a rotary axis if the lists do not say. None for an axis without such a

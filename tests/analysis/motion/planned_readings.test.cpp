@@ -345,6 +345,19 @@ TEST_CASE("ramps of whole cycles") {
   }
 }
 
+TEST_CASE("whole cycles of an acceleration that is just reached are not held") {
+  // Δ = 50 mm/s = a t̄/2 with 500 mm/s² and ramps of 100 ms: 200 cycles up, 200 down, 1 mm along.
+  for (double const away : {-1e-13, 0.0, 1e-13}) {
+    Plan plan(Slope::trapez);
+    plan.dynamics.axes.assign(2, axis_of(500, 100'000));
+    plan.dynamics.readings.cycles = machine::CycleReading::whole;
+    plan.feed_mm_min = 3000 * (1 + away);
+    plan.to(11);
+    plan.run();
+    CHECK(plan.seconds() == Approx(0.42));
+  }
+}
+
 TEST_CASE("weights of curves follow those of corners, or the other way round") {
   // Line to arc, P-CHAN-00009 = 1: v²/r ≤ w' a with w = 0.5, w' = 0.1; a line to a line at 90°: v ≤ w a T.
   auto const plan_of = [](machine::TransitionReading reading, double w, double w_curve) {
