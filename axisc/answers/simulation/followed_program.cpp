@@ -1,6 +1,7 @@
 #include "axisc/answers/simulation/followed_program.hpp"
 
 #include "analysis/motion/program/interpreter.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/sentences.hpp"
 #include "diagnostics/format_number.hpp"
@@ -58,13 +59,6 @@ class CommandCollector final : public motion::PathListener {
  private:
   machine::FilterParameters current_;
 };
-
-motion::PathLimits limits_of(machine::Machine const& machine, machine::MachineGroup const& group) {
-  motion::PathDynamics dynamics{
-      .axes = {}, .channel = group.dynamics, .readings = machine.motion, .cycle_time = machine.cycle_time};
-  for (auto const index : group.axes) dynamics.axes.push_back(machine.axes[index].dynamics);
-  return motion::PathLimits(std::move(dynamics));
-}
 
 /// A program is never held completely: a source holds only the line in question, with its line number.
 void pass_on(motion::ProgramProblem problem, std::string const& path, TakeProblem const& take) {
@@ -192,9 +186,9 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
     }
   };
   motion::Simulation simulation(group_runtime(image, group, request.machine_path),
-                                group_runtime(image, group, request.machine_path), limits_of(machine, group),
-                                request.constant_velocity, listener,
-                                {.most_cycles = request.most_cycles, .working = show_progress});
+                                group_runtime(image, group, request.machine_path),
+                                motion::PathLimits(path_dynamics(machine, group)), request.constant_velocity,
+                                listener, {.most_cycles = request.most_cycles, .working = show_progress});
   running = &simulation;
   motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
   program.read([&](std::string_view line, std::uint32_t offset) {
