@@ -1,6 +1,7 @@
 #include "axisc/answers/simulation/followed_program.hpp"
 
 #include "analysis/motion/program/interpreter.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/sentences.hpp"
 #include "diagnostics/format_number.hpp"

@@ -2,6 +2,7 @@
 
 #include "analysis/motion/point.hpp"
 #include "axisc/answers/dynamics/driven_axis.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/labels.hpp"
 
 #include <array>
@@ -19,6 +20,17 @@ constexpr Sentence pass{"pass", "Durchgang"};
 constexpr Sentence axis_error{"axis error", "Achsfehler"};
 constexpr Sentence lag{"lag", "Nachlauf"};
 constexpr Sentence filters{"filters", "Filter"};
+constexpr Sentence limited_by{"limited by", "begrenzt durch"};
+constexpr Sentence by_feed{"feed", "Vorschub"};
+constexpr Sentence by_axis{"axis", "Achse"};
+constexpr Sentence by_curve{"curve", "Kurve"};
+constexpr Sentence by_curve_jerk{"curve jerk", "Kurvenruck"};
+constexpr Sentence by_corner{"corner", "Ecke"};
+constexpr Sentence by_tangent_jerk{"tangent jerk", "Übergangsruck"};
+constexpr Sentence by_braking{"braking", "Bremsen"};
+constexpr Sentence by_look_ahead{"look-ahead", "Vorausschau"};
+constexpr Sentence by_tolerance{"tolerance", "Toleranz"};
+constexpr Sentence by_stop{"stop", "Halt"};
 constexpr Sentence start{"as at start-up", "wie beim Hochlauf"};
 constexpr Sentence from_channel_list{
     "slope {slope} at the beginning, look-ahead of {blocks} blocks, as the channel list says",
@@ -58,11 +70,17 @@ Table table_with(std::string const& key, SentenceRef label, SimulatedPath const&
   return table;
 }
 
-std::string_view symbol_of(motion::LimitedBy cause) {
-  constexpr std::array<std::string_view, 10> symbols = {"feed",      "axis",         "curve",   "curve-jerk",
-                                                        "corner",    "tangent-jerk", "braking", "look-ahead",
-                                                        "tolerance", "stop"};
-  return symbols.at(static_cast<std::size_t>(cause));
+/// By LimitedBy.
+constexpr std::array<std::string_view, 10> limit_symbols = {
+    "feed",         "axis",    "curve",      "curve-jerk", "corner",
+    "tangent-jerk", "braking", "look-ahead", "tolerance",  "stop"};
+constexpr std::array<SentenceRef, 10> limit_sentences = {
+    says::by_feed,         says::by_axis,    says::by_curve,      says::by_curve_jerk, says::by_corner,
+    says::by_tangent_jerk, says::by_braking, says::by_look_ahead, says::by_tolerance,  says::by_stop};
+
+Symbol cause_of(motion::LimitedBy limit) {
+  auto const index = static_cast<std::size_t>(limit);
+  return {limit_symbols.at(index), limit_sentences.at(index)};
 }
 
 /// The command that a pass begins with, and whether it exceeds its tolerance.
@@ -99,10 +117,11 @@ ProgramSummary::ProgramSummary(SimulatedPath const& path)
     : path_(path),
       blocks_(table_with("block", says::block, path)),
       passes_(table_with("pass", says::pass, path)) {
-  for (auto& one : data_columns({"velocity_in_mm_s", "velocity_peak_mm_s", "velocity_out_mm_s", "slope",
-                                 "limited_by", "corner_step_share"})) {
+  for (auto& one : data_columns({"velocity_in_mm_s", "velocity_peak_mm_s", "velocity_out_mm_s", "slope"})) {
     blocks_.columns.push_back(std::move(one));
   }
+  blocks_.columns.push_back(column("limited_by", says::limited_by));
+  blocks_.columns.push_back(data_column("corner_step_share"));
   passes_.key = "passes";
   passes_.columns.push_back(data_column("time_with_trapez_instead_of_hsc_s"));
   for (char const* const key : {"max_acceleration_mm_s2", "max_jerk_mm_s3"}) {
@@ -137,6 +156,7 @@ void ProgramSummary::block(motion::BlockSummary const& summary) {
   add(blocks_, {summary.label, summary.line}, summary,
       {motion.velocity_in * per_second, motion.velocity_peak * per_second, motion.velocity_out * per_second,
        slope_word(summary.slope), symbol_of(motion.limited_by), summary.corner_step_share});
+       slope_name(summary.slope), cause_of(motion.limited_by), summary.corner_step_share});
 }
 
 void ProgramSummary::pass(motion::PassSummary const& summary) {
@@ -167,6 +187,7 @@ Document ProgramSummary::answer(FollowedProgram const& followed) && {
   auto const time = fixed(static_cast<double>(followed.cycles) * path_.cycle_time.seconds(), Unit::second, 3);
   auto const& dynamics = path_.dynamics;
   auto const slope = slope_word(dynamics.slope);
+  auto const slope = slope_name(dynamics.slope);
   Document answer{
       .title = Words(says::title, {{"blocks", followed.blocks},
                                    {"cycles", followed.cycles},

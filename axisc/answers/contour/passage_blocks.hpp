@@ -1,0 +1,15 @@
+// What `contour` says of a corner as the control passes it.
+#pragma once
+
+#include "axisc/answers/contour/contour_groups.hpp"
+#include "presentation/document.hpp"
+
+#include <vector>
+
+namespace axisc {
+
+/// Velocity through the corner and ramps on either side for each feed, and why the control is that slow.
+[[nodiscard]] std::vector<presentation::Block> passage_blocks(GroupContour const& group,
+                                                              ContourRequest const& wanted);
+
+}  // namespace axisc
