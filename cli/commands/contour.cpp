@@ -1,4 +1,7 @@
 #include "axisc/answers/contour/contour_answer.hpp"
+#include "axisc/answers/contour/delay_budget_answer.hpp"
+#include "axisc/checking/compilable.hpp"
+#include "axisc/checking/machine_input.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "cli/commands/commands.hpp"
@@ -16,25 +19,49 @@ constexpr Sentence option_filter{
     R"(what the program commands, "#FILTER ON [ORDER=20]" or "#FILTER OFF")",
     R"(was das Programm kommandiert, "#FILTER ON [ORDER=20]" oder "#FILTER OFF")"};
 
+constexpr Sentence option_budget{
+    "what delays each axis, for position and feedforward, and what the difference costs at the first --feed",
+    "was jede Achse verzögert, bei Position und Vorsteuerung, und was der Unterschied beim ersten --feed "
+    "kostet"};
+
 }  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
+namespace {
+
+/// None after errors.
+std::optional<presentation::Document> budget(Workspace& workspace, MachineRequest const& request,
+                                             std::optional<double> feed, ErrorSink const& errors) {
+  auto const machine = machine_of_input(workspace, request).machine;
+  SourceSet sources;
+  std::optional<validator::LoadedMachine> loaded;
+  auto const result = check_machine(workspace, machine, errors, sources, loaded);
+  if (!result) return std::nullopt;
+  require_cycle_time(machine, *result);
+  return delay_budget_answer(*loaded, sources, feed);
+}
+
+}  // namespace
+
 ExitStatus contour(Invocation const& invocation) {
   std::optional<std::string> input, cycle_time;
   ContourWords words;
-  bool alone = false;
+  bool alone = false, wants_budget = false;
   ContourQuestion question;
   auto format = presentation::Format::text;
   CommandLine command_line("contour", invocation.language);
   command_line.argument("MACHINE", input, says::argument_input);
   declare_feeds(command_line, words);
+  command_line.flag("--budget", wants_budget, says::option_budget);
+  command_line.not_with("--budget");
   declare_orders(command_line, words);
   declare_angle(command_line, words);
   declare_radius(command_line, words);
   declare_tolerance(command_line, words);
   command_line.value("--filter", "COMMAND", question.filter, says::option_filter);
   command_line.value("--group", "NAME", question.group, says::option_group);
+  command_line.not_with({});
   command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);
   declare_alone(command_line, alone);
   declare_format(command_line, format);
@@ -44,9 +71,16 @@ ExitStatus contour(Invocation const& invocation) {
   question.language = invocation.language;
   question.wanted = read_contour_words(words);
   Workspace workspace(overrides_with(cycle_time));
-  auto const checked =
-      checked_machine(workspace, {.input = *input, .alone = alone},
-                      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
+  MachineRequest const request{.input = *input, .alone = alone};
+  auto const errors = printed_errors(invocation, use_color(command_line.color(), system::Stream::error));
+  if (wants_budget) {
+    auto const feed = words.feeds ? std::optional(question.wanted.feeds.front()) : std::nullopt;
+    auto const document = budget(workspace, request, feed, errors);
+    if (!document) return ExitStatus::findings;
+    print(*document, format, invocation, command_line);
+    return ExitStatus::success;
+  }
+  auto const checked = checked_machine(workspace, request, errors);
   if (!checked) return ExitStatus::findings;
   if (!question.group) question.group = checked->group;
   std::function<void(Message const&)> remark;

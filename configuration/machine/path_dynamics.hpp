@@ -2,13 +2,26 @@
 // jerk. Units are those of the lists; every cap that a list sets on its own values is already applied.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace axisc::machine {
 
 /// How the acceleration comes and goes (#SLOPE). Values are the numbers of P-CHAN-00071.
 enum class Slope : std::uint8_t { step = 0, trapez = 1, sin2 = 2, hsc = 3 };
+
+/// As #SLOPE names them, by number.
+inline constexpr std::array<std::string_view, 4> slope_names{"STEP", "TRAPEZ", "SIN2", "HSC"};
+
+[[nodiscard]] constexpr std::optional<Slope> slope_named(std::string_view name) {
+  for (std::size_t i = 0; i < slope_names.size(); ++i) {
+    if (slope_names[i] == name) return static_cast<Slope>(i);
+  }
+  return std::nullopt;
+}
 
 /// The acceleration of the slope STEP: the second stage counts above the changeover velocity.
 struct AccelerationStages {

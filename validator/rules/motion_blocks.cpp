@@ -32,12 +32,10 @@ std::optional<double> number_of(std::string_view text) {
   return grammar::real_value(text);
 }
 
-std::optional<machine::Slope> slope_named(std::string_view word) {
-  if (word == "STEP" || word == "0") return machine::Slope::step;
-  if (word == "TRAPEZ" || word == "1") return machine::Slope::trapez;
-  if (word == "SIN2" || word == "2") return machine::Slope::sin2;
-  if (word == "HSC" || word == "3") return machine::Slope::hsc;
-  return std::nullopt;
+/// The name of a slope, or its number.
+std::optional<machine::Slope> slope_of(std::string_view word) {
+  bool const is_number = word.size() == 1 && word[0] >= '0' && word[0] <= '3';
+  return is_number ? static_cast<machine::Slope>(word[0] - '0') : machine::slope_named(word);
 }
 
 }  // namespace
@@ -126,7 +124,7 @@ std::optional<machine::Slope> MotionBlock::slope(machine::Slope standard) const 
   for (std::size_t i = 0; i < words_.size(); ++i) {
     if (text(i) == "DEFAULT") return standard;
     if (words_[i].kind == WordKind::block_number) continue;
-    if (auto const slope = slope_named(text(i))) return slope;
+    if (auto const slope = slope_of(text(i))) return slope;
   }
   return std::nullopt;
 }

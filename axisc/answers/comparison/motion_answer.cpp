@@ -2,7 +2,7 @@
 
 #include "axisc/answers/comparison/motion_words.hpp"
 #include "axisc/answers/labels.hpp"
-#include "diagnostics/writers/json_text.hpp"
+#include "diagnostics/writers/json_stream.hpp"
 
 #include <cmath>
 #include <string_view>

@@ -3,6 +3,7 @@
 #include "analysis/comparison/residual.hpp"
 #include "analysis/comparison/turns.hpp"
 #include "analysis/motion/program/interpreter.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/files/byte_source.hpp"
 #include "diagnostics/format_number.hpp"

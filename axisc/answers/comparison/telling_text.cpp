@@ -2,6 +2,7 @@
 
 #include "analysis/comparison/motion/telling_moves.hpp"
 #include "axisc/answers/comparison/motion_words.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/simulation/followed_program.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/message.hpp"

@@ -1,5 +1,6 @@
 #include "axisc/answers/difference/difference_parts.hpp"
 #include "axisc/answers/dynamics/driven_axis.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/labels.hpp"
 #include "image/image_readings.hpp"
 
@@ -96,7 +97,7 @@ struct MotionUnits {
 };
 
 Words slope_of(AxisMotion const& motion) {
-  auto const word = as_given(std::string(slope_word(motion.slope)));
+  auto const word = as_given(std::string(slope_name(motion.slope)));
   return motion.has_channel_list ? word : Words(says::default_slope, {{"slope", word}});
 }
 
@@ -138,7 +139,7 @@ Section motion_data(MotionDifference const& motion) {
   auto const side = [](std::string key, AxisMotion const& one) {
     return data_section(
         std::move(key),
-        {data("slope", slope_word(one.slope)), data("channel_list", one.has_channel_list),
+        {data("slope", slope_name(one.slope)), data("channel_list", one.has_channel_list),
          data("at_feed_s", one.at_feed_s), data("in_rapid_s", one.in_rapid_s),
          data("corner_velocity_mm_s", one.corner_velocity), data("not_computed", Names(one.uncomputed))});
   };

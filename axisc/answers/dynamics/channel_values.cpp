@@ -1,6 +1,6 @@
 #include "axisc/answers/dynamics/channel_values.hpp"
 
-#include "axisc/answers/dynamics/driven_axis.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "diagnostics/format_number.hpp"
 
 namespace axisc {
@@ -8,7 +8,7 @@ namespace axisc {
 std::vector<ChannelValue> channel_values(machine::ChannelDynamics const& channel) {
   auto const flag = [](bool value) { return std::string(value ? "1" : "0"); };
   auto const& vector = channel.vector;
-  return {{"P-CHAN-00071", "prog_start.slope.profile", std::string(slope_word(channel.slope))},
+  return {{"P-CHAN-00071", "prog_start.slope.profile", std::string(slope_name(channel.slope))},
           {"P-CHAN-00349", "prog_start.slope.mode_ramp_time", flag(channel.constant_ramp_times)},
           {"P-CHAN-00001", "prog_start.slope.acceleration", std::to_string(channel.weighted_acceleration)},
           {"P-CHAN-00073", "prog_start.slope.ramp_time", std::to_string(channel.weighted_ramp)},

@@ -3,7 +3,6 @@
 #include "axisc/answers/execution/group_chains.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace axisc {
 
@@ -69,11 +68,6 @@ std::optional<DrivenAxis> driven_axis(machine::Machine const& machine, std::size
   });
   if (group == machine.groups.end()) return std::nullopt;
   return DrivenAxis(machine, axis, *group);
-}
-
-std::string_view slope_word(machine::Slope slope) {
-  constexpr std::array<std::string_view, 4> words = {"STEP", "TRAPEZ", "SIN2", "HSC"};
-  return words.at(static_cast<std::size_t>(slope));
 }
 
 }  // namespace axisc

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace axisc {
@@ -60,8 +59,5 @@ class DrivenAxis {
 
 /// In the first channel that has it; none for an axis that no channel moves, as a spindle.
 [[nodiscard]] std::optional<DrivenAxis> driven_axis(machine::Machine const& machine, std::size_t axis);
-
-/// "TRAPEZ", as #SLOPE names it.
-[[nodiscard]] std::string_view slope_word(machine::Slope slope);
 
 }  // namespace axisc

@@ -1,7 +1,6 @@
 #include "axisc/answers/execution/path_dynamics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace axisc::says {
@@ -42,8 +41,7 @@ motion::PathDynamics path_dynamics(machine::Machine const& machine, std::size_t 
 }
 
 std::string_view slope_name(machine::Slope slope) {
-  constexpr std::array<std::string_view, 4> names = {"STEP", "TRAPEZ", "SIN2", "HSC"};
-  return names.at(static_cast<std::size_t>(slope));
+  return machine::slope_names.at(static_cast<std::size_t>(slope));
 }
 
 presentation::Words slope_words(machine::ChannelDynamics const& channel) {

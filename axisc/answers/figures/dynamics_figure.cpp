@@ -1,4 +1,5 @@
 #include "axisc/answers/dynamics/driven_axis.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/figures/dynamics_table.hpp"
 #include "axisc/answers/figures/plots.hpp"
 #include "axisc/answers/labels.hpp"
@@ -124,7 +125,7 @@ class DynamicsFigure {
   }
 
   void note_slope(DrivenAxis const& driven) {
-    std::string word(slope_word(driven.slope()));
+    std::string word(slope_name(driven.slope()));
     bool const is_reading = driven.slope() == machine::Slope::sin2 || driven.slope() == machine::Slope::hsc;
     if (!driven.has_channel_list()) word = subject_.say(says::default_slope, {{"slope", word}});
     if (is_reading) word = subject_.say(says::slope_of_reading, {{"slope", word}});

@@ -1,5 +1,6 @@
 #include "axisc/answers/figures/dynamics_table.hpp"
 
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/message.hpp"
@@ -50,7 +51,7 @@ class DynamicsTable {
     bool const is_step = driven.slope() == machine::Slope::step;
     std::vector<std::string> cells{row.axis,
                                    rapid ? say(says::in_rapid) : say(says::at_feed, {{"feed", row.feed}})};
-    if (shows_slopes_) cells.emplace_back(slope_word(driven.slope()));
+    if (shows_slopes_) cells.emplace_back(slope_name(driven.slope()));
     cells.push_back(of_both(mode, [&](motion::AxisRamp const& ramp) {
       return is_step ? staged(driven, ramp) : text(driven.acceleration(ramp.acceleration));
     }));

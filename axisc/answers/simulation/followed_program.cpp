@@ -156,13 +156,6 @@ motion::ProgramChannel channel_of(machine::Machine const& machine, machine::Mach
   return channel;
 }
 
-motion::PathDynamics path_dynamics(machine::Machine const& machine, machine::MachineGroup const& group) {
-  motion::PathDynamics dynamics{
-      .axes = {}, .channel = group.dynamics, .readings = machine.motion, .cycle_time = machine.cycle_time};
-  for (auto const index : group.axes) dynamics.axes.push_back(machine.axes[index].dynamics);
-  return dynamics;
-}
-
 bool survey_program(ProgramLines& program, ProgramRequest const& request, machine::Machine& machine,
                     std::size_t group, TakeProblem const& take) {
   CommandCollector collector;

@@ -1,7 +1,6 @@
 #include "axisc/answers/simulation/program_answer.hpp"
 
 #include "analysis/motion/point.hpp"
-#include "axisc/answers/dynamics/driven_axis.hpp"
 #include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/labels.hpp"
 
@@ -155,7 +154,6 @@ void ProgramSummary::block(motion::BlockSummary const& summary) {
   auto const& motion = summary.motion;
   add(blocks_, {summary.label, summary.line}, summary,
       {motion.velocity_in * per_second, motion.velocity_peak * per_second, motion.velocity_out * per_second,
-       slope_word(summary.slope), symbol_of(motion.limited_by), summary.corner_step_share});
        slope_name(summary.slope), cause_of(motion.limited_by), summary.corner_step_share});
 }
 
@@ -186,7 +184,6 @@ Document ProgramSummary::answer(FollowedProgram const& followed) && {
   auto const cycle_time = exact(path_.cycle_time.microseconds(), Unit::microsecond);
   auto const time = fixed(static_cast<double>(followed.cycles) * path_.cycle_time.seconds(), Unit::second, 3);
   auto const& dynamics = path_.dynamics;
-  auto const slope = slope_word(dynamics.slope);
   auto const slope = slope_name(dynamics.slope);
   Document answer{
       .title = Words(says::title, {{"blocks", followed.blocks},

@@ -75,7 +75,7 @@ class MotionCommand {
         return reader_.refuse(says::unknown_slope);
       }
       if (key == "TYPE") {
-        type = slope_named(reader_.take());
+        type = machine::slope_named(reader_.take());
         if (!type) return reader_.refuse(says::unknown_slope);
       } else if (!reader_.take_number()) {
         return;
@@ -143,14 +143,6 @@ class MotionCommand {
   }
 
  private:
-  static std::optional<machine::Slope> slope_named(std::string_view word) {
-    if (word == "STEP") return machine::Slope::step;
-    if (word == "TRAPEZ") return machine::Slope::trapez;
-    if (word == "SIN2") return machine::Slope::sin2;
-    if (word == "HSC") return machine::Slope::hsc;
-    return std::nullopt;
-  }
-
   void set_slope(machine::Slope slope) {
     change_dynamics(state_.modal, state_.channel.dynamics,
                     [slope](BlockDynamics& dynamics) { dynamics.slope = slope; });
