@@ -26,6 +26,11 @@ struct ChainAnswer {
   /// r at any time in cycles. Linear between two cycles, which is not an approximation: the answer to a ramp
   /// that begins between two cycles is  (1 - φ) r[n] + φ r[n-1].
   [[nodiscard]] double ramp_at(double cycles) const;
+  /// The answer to an impulse is the second difference of the ramp's:  b[k] = r[k+1] - 2 r[k] + r[k-1].
+  [[nodiscard]] double tap(std::size_t k) const {
+    return ramp[k + 1] - 2 * ramp[k] + (k > 0 ? ramp[k - 1] : 0.0);
+  }
+  [[nodiscard]] std::size_t tap_count() const { return ramp.size() - 1; }
   /// R(τ).
   [[nodiscard]] double remainder(double tau) const;
   /// The chain does nothing but delay by whole cycles.

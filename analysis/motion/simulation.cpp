@@ -230,7 +230,7 @@ void Simulation::corner(PathBlock const& block, PathBlock const* next, double bl
     summary->motion = motion;
     summary->slope = block.mode->slope;
     bool const is_forced = next != nullptr && block.mode->least_corner_velocity > 0;
-    double const share = is_forced ? motion.velocity_out / step_velocity(block, *next) : 0;
+    double const share = is_forced ? motion.velocity_out / step_limit(block, *next).velocity : 0;
     if (share > 1 + rounding) summary->corner_step_share = share;
   }
   ContourPoint point;

@@ -62,13 +62,6 @@ struct Corner {
   }
 };
 
-void take_largest(ContourFigures& figures, NearestPoint const& nearest) {
-  figures.deviation = std::max(figures.deviation, nearest.distance());
-  for (std::size_t i = 0; i < most_axes; ++i) {
-    figures.axis_error[i] = std::max(figures.axis_error[i], std::abs(nearest.away[i]));
-  }
-}
-
 ContourFigures measure(Corner const& corner, Plane const& plane) {
   auto const reach = static_cast<int>(std::ceil(plane.reach()));
   double const middle = std::round(plane.latest());
@@ -76,20 +69,18 @@ ContourFigures measure(Corner const& corner, Plane const& plane) {
   SearchedPath const path(corner.path(plane, middle + first, middle - first));
   ContourFigures figures;
   for (int n = -reach; n <= reach; ++n) {
-    take_largest(figures, path.nearest(corner.nominal(n), static_cast<std::size_t>(n - first)));
+    figures.take(path.nearest(corner.nominal(n), static_cast<std::size_t>(n - first)));
   }
   return figures;
 }
 
-/// Response at θ from the second differences of the ramp's answer, the impulse response:  G = Σ b[n]
-/// e^(-jθn).
+/// Response at θ:  G = Σ b[n] e^(-jθn).
 std::complex<double> gain(ChainAnswer const& answer, double theta) {
   auto const turn = std::polar(1.0, -theta);
   std::complex<double> phasor = 1;
   std::complex<double> sum = 0;
-  for (std::size_t n = 0; n + 1 < answer.ramp.size(); ++n) {
-    double const before = n > 0 ? answer.ramp[n - 1] : 0.0;
-    sum += (answer.ramp[n + 1] - 2 * answer.ramp[n] + before) * phasor;
+  for (std::size_t n = 0; n < answer.tap_count(); ++n) {
+    sum += answer.tap(n) * phasor;
     phasor *= turn;
   }
   return sum;
@@ -147,8 +138,8 @@ ContourFigures parallel(Plane const& plane, double velocity) {
   SearchedPath const way_back(back.path(plane, middle - 3 * reach, middle + 3 * reach));
   ContourFigures figures;
   for (int n = -reach; n <= reach; ++n) {
-    take_largest(figures, way_back.nearest(there.filtered(plane, middle + n),
-                                           static_cast<std::size_t>(3 * reach - n)));
+    figures.take(
+        way_back.nearest(there.filtered(plane, middle + n), static_cast<std::size_t>(3 * reach - n)));
   }
   return figures;
 }
@@ -157,6 +148,13 @@ ContourFigures parallel(Plane const& plane, double velocity) {
 
 double ContourFigures::largest_axis_error() const {
   return *std::max_element(axis_error.begin(), axis_error.end());
+}
+
+void ContourFigures::take(NearestPoint const& nearest) {
+  deviation = std::max(deviation, nearest.distance());
+  for (std::size_t i = 0; i < most_axes; ++i) {
+    axis_error[i] = std::max(axis_error[i], std::abs(nearest.away[i]));
+  }
 }
 
 ContourFigures predict_corner(std::span<ChainAnswer const> answers, double velocity, double turn) {

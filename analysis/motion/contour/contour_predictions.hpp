@@ -19,12 +19,16 @@
 
 namespace axisc::motion {
 
+struct NearestPoint;
+
 struct ContourFigures {
   Point axis_error{};
   double deviation = 0;
 
   /// The largest of the axes' errors.
   [[nodiscard]] double largest_axis_error() const;
+  /// Of one more point of the contour: the vector from it to the path.
+  void take(NearestPoint const& nearest);
 };
 
 /// A sharp corner that lies on a cycle. `turn` is the change of direction in radians: 0 straight on, π back.

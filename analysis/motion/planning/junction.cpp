@@ -24,19 +24,22 @@ bool is_limited(machine::CornerReading reading, double before, double after) {
   return speeds_up == (reading == machine::CornerReading::up_only);
 }
 
-double corner_in_mode(BlockMode const& mode, Point const& before, Point const& after) {
-  if (!mode.limits_corners) return unlimited;
-  double lowest = unlimited;
+StepLimit steps_in_mode(BlockMode const& mode, Point const& before, Point const& after) {
+  StepLimit lowest;
+  if (!mode.limits_corners) return lowest;
+  auto const lower = [&](std::size_t axis, double velocity) {
+    if (velocity < lowest.velocity) lowest = {.velocity = velocity, .axis = axis};
+  };
   for (std::size_t i = 0; i < mode.axis_count; ++i) {
     double const turn = std::abs(after[i] - before[i]);
     if (turn < no_turn || !is_limited(mode.corner, before[i], after[i])) continue;
     auto const& axis = mode.axes[i];
     if (mode.slope != machine::Slope::step) {
-      lowest = std::min(lowest, axis.corner_step / turn);
+      lower(i, axis.corner_step / turn);
       continue;
     }
     double const share = std::max(std::abs(before[i]), std::abs(after[i]));
-    lowest = std::min({lowest, stage_velocity(axis.up, turn, share), stage_velocity(axis.down, turn, share)});
+    lower(i, std::min(stage_velocity(axis.up, turn, share), stage_velocity(axis.down, turn, share)));
   }
   return lowest;
 }
@@ -64,17 +67,19 @@ double curvature_in_mode(BlockMode const& mode, Point const& step) {
 
 }  // namespace
 
-double step_velocity(PathBlock const& before, PathBlock const& after) {
+StepLimit step_limit(PathBlock const& before, PathBlock const& after) {
   auto const u0 = before.direction_out();
   auto const u1 = after.direction_in();
-  if (u0 == u1) return unlimited;
-  double const lowest = corner_in_mode(*before.mode, u0, u1);
-  return before.mode == after.mode ? lowest : std::min(lowest, corner_in_mode(*after.mode, u0, u1));
+  if (u0 == u1) return {};
+  auto const first = steps_in_mode(*before.mode, u0, u1);
+  if (before.mode == after.mode) return first;
+  auto const second = steps_in_mode(*after.mode, u0, u1);
+  return second.velocity < first.velocity ? second : first;
 }
 
 double corner_velocity(PathBlock const& before, PathBlock const& after) {
   double const least = std::min(before.mode->least_corner_velocity, after.mode->least_corner_velocity);
-  return std::max(step_velocity(before, after), least);
+  return std::max(step_limit(before, after).velocity, least);
 }
 
 double curvature_velocity(PathBlock const& before, PathBlock const& after) {

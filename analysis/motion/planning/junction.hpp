@@ -8,6 +8,9 @@
 
 #include "analysis/motion/path_block.hpp"
 
+#include <cstddef>
+#include <limits>
+
 namespace axisc::motion {
 
 struct JunctionLimit {
@@ -19,9 +22,13 @@ struct JunctionLimit {
 /// the feed of the next one.
 [[nodiscard]] JunctionLimit junction_limit(PathBlock const& before, PathBlock const& after);
 
-/// What the steps of the axes' velocities allow: infinite where none is limited.
-[[nodiscard]] double step_velocity(PathBlock const& before, PathBlock const& after);
-/// The same, but no less than #TRANSVELMIN.
+/// What the steps of the axes' velocities allow.
+struct StepLimit {
+  double velocity = std::numeric_limits<double>::infinity();  ///< units per cycle; infinite: any
+  std::size_t axis = 0;                                       ///< of the path, whose step limits it
+};
+[[nodiscard]] StepLimit step_limit(PathBlock const& before, PathBlock const& after);
+/// The velocity that steps allow, but no less than #TRANSVELMIN.
 [[nodiscard]] double corner_velocity(PathBlock const& before, PathBlock const& after);
 [[nodiscard]] double curvature_velocity(PathBlock const& before, PathBlock const& after);
 

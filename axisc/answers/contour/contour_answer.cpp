@@ -1,6 +1,7 @@
 #include "axisc/answers/contour/contour_answer.hpp"
 
 #include "analysis/motion/point.hpp"
+#include "axisc/answers/contour/passage_blocks.hpp"
 #include "axisc/answers/labels.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "diagnostics/format_number.hpp"
@@ -16,6 +17,7 @@ constexpr Sentence channel{"channel: axes {axes}", "Kanal: Achsen {axes}"};
 constexpr Sentence feed{"F", "F"};
 constexpr Sentence shape{"contour", "Kontur"};
 constexpr Sentence corner{"corner, {angle}", "Ecke, {angle}"};
+constexpr Sentence passed_corner{"corner, as passed", "Ecke, wie gefahren"};
 constexpr Sentence circle{"circle, r {radius}", "Kreis, r {radius}"};
 constexpr Sentence line{"line, 45°", "Gerade, 45°"};
 constexpr Sentence parallel{"there and back", "hin und zurück"};
@@ -63,19 +65,29 @@ Table table_of(GroupContour const& group, ContourRequest const& wanted) {
     table.columns.push_back(
         column("axis_error_um", Words(says::as_given, {{"text", axis}}), Unit::micrometre, axis));
   }
-  for (auto const& one : group.cases) {
-    auto const add = [&](std::string_view shape, Words words, double deviation,
+  auto const passage = passage_columns();
+  for (auto const& one : passage) table.columns.push_back(data_column(one.key));
+  std::size_t const per_feed = group.cases.size() / group.passages.size();
+  for (std::size_t k = 0; k < group.cases.size(); ++k) {
+    auto const& one = group.cases[k];
+    auto const add = [&](std::string_view shape, Words words, std::optional<double> deviation,
                          ContourFigures const* figures) {
       Row row{exact(one.feed_mm_per_min), order_of(one), Symbol{shape, std::move(words)},
-              micrometres(deviation),
+              deviation ? Value(micrometres(*deviation)) : Value(),
               figures != nullptr ? Value(micrometres(figures->largest_axis_error())) : Value()};
       for (std::size_t i = 0; i < group.axes.size(); ++i) {
         row.push_back(figures != nullptr ? Value(micrometres(figures->axis_error[i])) : Value());
       }
+      row.resize(table.columns.size());
       table.rows.push_back(std::move(row));
     };
     add("corner", Words(says::corner, {{"angle", exact(wanted.angle_deg, Unit::degree)}}),
         one.corner.deviation, &one.corner);
+    auto const* const passed = one.passed_corner ? &*one.passed_corner : nullptr;
+    add("corner_as_passed", says::passed_corner,
+        passed != nullptr ? std::optional(passed->deviation) : std::nullopt, passed);
+    auto figures = passage_figures(group.passages[k / per_feed].passage, group.dynamics.cycle_time);
+    std::move(figures.begin(), figures.end(), table.rows.back().end() - std::ssize(passage));
     add("circle", Words(says::circle, {{"radius", exact(wanted.radius_mm, Unit::millimetre)}}),
         one.circle.deviation, &one.circle);
     add("line", says::line, one.line.deviation, &one.line);
@@ -88,12 +100,13 @@ Table table_of(GroupContour const& group, ContourRequest const& wanted) {
 /// name.
 void add_first_case(std::vector<Block>& blocks, Table const& table) {
   constexpr std::size_t shape = 2;
+  constexpr std::size_t shapes = 5;
   auto const& first = table.rows.front();
   blocks.emplace_back(Facts{{data(table.columns[0].key, first[0]), data(table.columns[1].key, first[1])}});
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < shapes; ++k) {
     auto const& row = table.rows[k];
     std::vector<Field> fields;
-    for (std::size_t i = shape + 1; i < row.size(); ++i) {
+    for (std::size_t i = shape + 1; i < row.size() - passage_columns().size(); ++i) {
       fields.push_back(data(table.columns[i].key, row[i], table.columns[i].member));
     }
     std::string const name(std::get<Symbol>(row[shape].form()).symbol);
@@ -148,6 +161,7 @@ std::vector<Block> contour_blocks(GroupContour const& group, ContourRequest cons
   std::vector<Block> blocks{table_of(group, wanted)};
   if (!group.synchronous) blocks.emplace_back(Paragraph{says::bends});
   if (group.limits) add_limits(blocks, group);
+  for (auto& block : passage_blocks(group, wanted)) blocks.push_back(std::move(block));
   return blocks;
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/motion/chain_answer.hpp"
 #include "analysis/motion/feed_limits.hpp"
 #include "axisc/answers/execution/group_chains.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,12 @@ std::optional<std::uint32_t> allowed_order(GroupChains& chains, std::uint32_t hi
     if (figures.largest_axis_error() <= tolerance) return order;
   }
   return std::nullopt;
+}
+
+double acceleration_factor(std::vector<machine::FilterCommand> const& commands) {
+  double factor = 1;
+  for (auto const& command : commands) factor = command.acceleration_factor.value_or(factor);
+  return factor;
 }
 
 /// Highest order that a command may give to all axes; 0 where none has a FIR filter.
@@ -55,10 +62,22 @@ GroupContour predict_contour(ContourGroup const& group, ContourRequest const& wa
   }
   for (std::uint32_t order = 1; order <= highest; ++order) chains.add_order(order);
 
-  GroupContour found{.name = chains.group().name, .axes = {}, .cases = {}, .limits = {}};
+  GroupContour found{.name = chains.group().name,
+                     .axes = {},
+                     .cases = {},
+                     .passages = {},
+                     .dynamics = path_dynamics(group.machine, chains.group()),
+                     .limits = {}};
   for (auto const axis : chains.group().axes) found.axes.push_back(group.machine.axes[axis].name);
+  double const factor = acceleration_factor(group.commands);
   for (double const feed : wanted.feeds) {
     double const velocity = path_velocity(feed, cycle_time);
+    auto const planes =
+        motion::pass_corner(found.dynamics, {.turn = turn, .feed = velocity, .acceleration_factor = factor});
+    auto const slowest =
+        std::min_element(planes.begin(), planes.end(),
+                         [](auto const& one, auto const& other) { return one.velocity < other.velocity; });
+    found.passages.push_back({.feed_mm_per_min = feed, .passage = *slowest});
     for (auto const& order : wanted.orders) {
       auto const answers = chains.answers(order);
       found.synchronous = found.synchronous && synchronous(answers);
@@ -67,7 +86,8 @@ GroupContour predict_contour(ContourGroup const& group, ContourRequest const& wa
                              .corner = motion::predict_corner(answers, velocity, turn),
                              .circle = motion::predict_circle(answers, velocity, radius),
                              .line = motion::predict_line(answers, velocity),
-                             .parallel = motion::predict_parallel(answers, velocity)});
+                             .parallel = motion::predict_parallel(answers, velocity),
+                             .passed_corner = motion::predict_passage(answers, planes)});
     }
   }
   if (!wanted.tolerance_mm) return found;

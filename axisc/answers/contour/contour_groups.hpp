@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/motion/contour/contour_predictions.hpp"
+#include "analysis/motion/contour/corner_passage.hpp"
 #include "configuration/machine/machine.hpp"
 
 #include <cstdint>
@@ -26,6 +27,14 @@ struct ContourCase {
   std::optional<std::uint32_t> order;  ///< none: the lists'
   motion::ContourFigures corner, circle, line;
   double parallel = 0;
+  /// The corner as the control passes it; none where a filter reaches too far (motion::predict_passage).
+  std::optional<motion::ContourFigures> passed_corner;
+};
+
+/// How the control passes the corner, in the plane in which it is slowest.
+struct PassedFeed {
+  double feed_mm_per_min = 0;
+  motion::CornerPassage passage;
 };
 
 /// Feeds and orders that keep the tolerance.
@@ -39,7 +48,9 @@ struct ContourLimits {
 struct GroupContour {
   std::string name;
   std::vector<std::string> axes;
-  std::vector<ContourCase> cases;  ///< by feed, then by order
+  std::vector<ContourCase> cases;    ///< by feed, then by order
+  std::vector<PassedFeed> passages;  ///< by feed
+  motion::PathDynamics dynamics;     ///< with which the control passes the corner
   std::optional<ContourLimits> limits;
   bool synchronous = true;  ///< all axes have the same delay
 };

@@ -26,6 +26,16 @@ std::string average(int order) {
   return "filter_fir.type 1\nfilter_fir.order " + std::to_string(order) + "\n";
 }
 
+/// Without the line breaks of paragraphs.
+std::string on_one_line(std::string const& text) {
+  std::string joined;
+  for (char const c : text) {
+    bool const is_blank = c == '\n' || c == ' ';
+    if (!is_blank || joined.empty() || joined.back() != ' ') joined += is_blank ? ' ' : c;
+  }
+  return joined;
+}
+
 nlohmann::json contour(Surroundings const& there, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"contour", "m.json", "--format", "json"});
   auto const outcome = run_axisc(arguments, there);
@@ -112,6 +122,72 @@ TEST_CASE("machines with NC programs of their own, whose bytes the image remembe
     CHECK(result.status == 0);
     CHECK(result.out.find("corner, 90") != std::string::npos);
   }
+}
+
+TEST_CASE("a corner as the control passes it: slope, weights and ramps of the lists") {
+  TemporaryFolder const folder;
+  auto const there = machine(folder, average(40), average(40));
+  // Without a channel list STEP and 1000 mm/s²: a T = 1 mm/s.
+  auto const by_default = contour(there, {"--feed", "6000"});
+  CHECK(by_default["slope"] == "STEP");
+  CHECK(by_default["channel_list"] == false);
+  CHECK(by_default["corner_passage"][0]["velocity_mm_s"].get<double>() == Approx(1));
+  CHECK(by_default["corner_passage"][0]["braking_ms"].get<double>() == Approx(99));
+  CHECK(by_default["corner_passage"][0]["slowed_by_axis"] == "X");
+
+  // The vendor's stock lists with TRAPEZ: 2000 mm/s² in 300 ms, weight 0.
+  std::string ramps;
+  for (std::string const name : {"a_beschl 2000", "a_brems 2000", "tr_beschl_zu 300000",
+                                 "tr_beschl_ab 300000", "tr_brems_zu 300000", "tr_brems_ab 300000"}) {
+    ramps += "getriebe[0].slope_profil." + name + "\n";
+  }
+  machine(folder, average(40) + ramps, average(40) + ramps);
+  folder.write("channel.lis", "prog_start.slope.profile 1\nEnde\n");
+  folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
+                             {"name": "Y", "list": "y.lis"}], "groups": [{"name": "mill", "axes": ["X", "Y"],
+                             "channel_list": "channel.lis"}]})");
+  auto const found = contour(there, {"--feed", "6000,4000"});
+  CHECK(found["slope"] == "TRAPEZ");
+  CHECK(found["channel_list"] == true);
+  auto const& passage = found["corner_passage"][0];
+  // a T²/tr; from 100 mm/s √(2 Δ t̄ / a), as 600 mm/s would take the acceleration's ramps.
+  CHECK(passage["velocity_mm_s"].get<double>() == Approx(2000 * 1e-6 / 0.3));
+  CHECK(passage["braking_ms"].get<double>() ==
+        Approx(1000 * std::sqrt(2 * 99.99333 * 0.6 / 2000)).epsilon(1e-6));
+  CHECK(passage["axis_step_mm_s"].get<double>() == Approx(2000 * 1e-6 / 0.3));
+  CHECK(found["corner_passage"][1]["feed_mm_per_min"] == 4000);
+  // What is left of the corner is what the ramps pass within the filter's reach: j t³/6 along each leg, with
+  // j = q a / (q tr) = 6667 mm/s³, 41 taps: Σ k³ j T³ / 6 / 41 = 44100 · 6.667 µm / 6000 / 41.
+  double const left = 44100 * 6.6667 / 6000 / 41 + 210 * 0.0066667 / 41;
+  CHECK(found["corner_as_passed"]["max_axis_error_um"].get<double>() == Approx(left).epsilon(1e-3));
+  for (std::string const form : {"text", "de.text", "markdown", "html"}) {
+    std::vector<std::string> words{"contour", "m.json", "--feed", "6000"};
+    if (form == "de.text") words.insert(words.end(), {"--lang", "de"});
+    if (form == "markdown" || form == "html") words.insert(words.end(), {"--format", form});
+    auto const text = on_one_line(run_axisc(words, there).out);
+    INFO(text);
+    CHECK(text.find(form == "de.text" ? "hält dort fast an" : "nearly stops there") != std::string::npos);
+  }
+  auto const csv = run_axisc({"contour", "m.json", "--format", "csv"}, there).out;
+  CHECK(csv.find("mill,1000,,corner_as_passed,") != std::string::npos);
+  // The second row of the answer at 6000 mm/min, whose other rows have none.
+  CHECK(found["table"][1]["velocity_mm_s"] == passage["velocity_mm_s"]);
+  CHECK(found["table"][1]["braking_mm"] == passage["braking_mm"]);
+  CHECK(found["table"][0]["velocity_mm_s"].is_null());
+  CHECK(found["table"][6]["braking_ms"] == found["corner_passage"][1]["braking_ms"]);
+
+  // A weight, and a slow feed that needs none.
+  std::string const weight = "getriebe[0].dynamik.a_trans_weight 500\n";
+  folder.write("x.lis", ramps + weight + "getriebe[0].dynamik.a_max 2000\nEnde\n");
+  folder.write("y.lis", ramps + weight + "getriebe[0].dynamik.a_max 2000\nEnde\n");
+  auto const weighted = contour(there, {"--angle", "45"});
+  CHECK(weighted["corner_passage"][0]["velocity_mm_s"].get<double>() == Approx(1.41421).epsilon(1e-5));
+  CHECK_THAT(run_axisc({"contour", "m.json"}, there).out, Catch::Matchers::Contains("500 ‰ of a T"));
+  auto const slow = contour(there, {"--feed", "30"});
+  CHECK(slow["corner_passage"][0]["slowed_by_axis"].is_null());
+  CHECK(slow["corner_passage"][0]["braking_ms"] == 0);
+  CHECK_THAT(run_axisc({"contour", "m.json", "--feed", "30"}, there).out,
+             Catch::Matchers::Contains("passes this corner without braking"));
 }
 
 TEST_CASE("what contour refuses") {
