@@ -33,27 +33,17 @@ class MoveRecorder final : public SampleSink {
   double travel_;
 };
 
-/// With STEP, as a list would say it.
-PathDynamics dynamics_of(AxisMove const& move) {
-  PathDynamics dynamics;
-  double const T = dynamics.cycle_time.seconds();
-  double const acceleration = move.acceleration / (units_per_mm * T * T);
-  auto& axis = dynamics.axes.emplace_back();
-  axis.feed.velocity = move.velocity / (units_per_um * T);
-  axis.feed.step_up = axis.feed.step_down = {.first = acceleration, .second = acceleration};
-  return dynamics;
-}
-
 std::vector<LoopCycle> planned(AxisMove const& move, std::size_t rest_cycles) {
   std::vector<LoopCycle> cycles;
   MoveRecorder recorder(cycles, move.velocity);
   Interpolator interpolator(recorder);
-  LookAhead look_ahead(PathLimits(dynamics_of(move)), false, interpolator);
+  LookAhead look_ahead(PathLimits(move.dynamics), false, interpolator);
   Point from{};
   for (double const end : {move.distance, 0.0}) {
     look_ahead.begin(from, {}, 1);
     ProgrammedBlock block;
     block.end[0] = end;
+    block.feed = move.velocity;
     look_ahead.add(block);
     look_ahead.stop();
     from = block.end;

@@ -15,12 +15,12 @@
 
 namespace axisc::motion {
 
-/// A move of one axis; position units and cycles.
+/// A move of one axis, planned as a feed block (G01); position units and cycles.
 struct AxisMove {
-  std::size_t axis = 0;     ///< of the image
-  double distance = 0;      ///< position units, its sign the direction
-  double velocity = 0;      ///< units per cycle
-  double acceleration = 0;  ///< units per cycle²
+  std::size_t axis = 0;        ///< of the image
+  double distance = 0;         ///< position units, its sign the direction
+  double velocity = 0;         ///< units per cycle
+  PathDynamics dynamics = {};  ///< of the axis alone, with the slope of its channel
 };
 
 enum class MovePhase : std::uint8_t { ramp, travel, rest };

@@ -41,12 +41,18 @@ constexpr Sentence option_radius{
     "Kreis, auf dem der Vorschub die Toleranz einhält, in mm (Standardwert: 10)"};
 constexpr Sentence option_goal{"what counts more: which suggestion is recommended (default: balanced)",
                                "was mehr zählt: welcher Vorschlag empfohlen wird (Standardwert: ausgewogen)"};
+constexpr Sentence option_slope{
+    "how the axis accelerates and brakes (default: as the channel list says, without one STEP)",
+    "wie die Achse beschleunigt und bremst (Standardwert: nach der Kanalliste, ohne sie STEP)"};
 constexpr Sentence option_picture{
     "also draw the settings: FILE.svg, FILE.html; - draws an SVG instead of the text",
     "die Einstellungen auch zeichnen: DATEI.svg, DATEI.html; - zeichnet ein SVG statt "
     "des Texts"};
-constexpr Sentence option_apply{"write suggestion 1, 2, 3 or, with --plant, 4 into the lists",
-                                "Vorschlag 1, 2, 3 oder, mit --plant, 4 in die Listen schreiben"};
+constexpr Sentence option_apply{
+    "write suggestion 1, 2, 3, with --plant 4, or the ramp times, 5, into the "
+    "lists",
+    "Vorschlag 1, 2, 3, mit --plant 4, oder die Rampenzeiten, 5, in die "
+    "Listen schreiben"};
 constexpr Sentence option_diff{"with --apply: show the patch, write nothing",
                                "mit --apply: den Patch zeigen, nichts schreiben"};
 constexpr Sentence diff_is_output{"--diff writes a patch to standard output: leave out {other}",
@@ -84,6 +90,13 @@ void declare(CommandLine& command_line, SuggestOptions& options) {
                        {"accuracy", Goal(tuning::Goal::accuracy)},
                        {"speed", Goal(tuning::Goal::speed)}},
                       question.goal, says::option_goal);
+  using Slope = std::optional<machine::Slope>;
+  command_line.choice("--slope",
+                      {{"STEP", Slope(machine::Slope::step)},
+                       {"TRAPEZ", Slope(machine::Slope::trapez)},
+                       {"SIN2", Slope(machine::Slope::sin2)},
+                       {"HSC", Slope(machine::Slope::hsc)}},
+                      question.slope, says::option_slope);
   command_line.value("-o,--output", "FILE", options.picture.path, says::option_picture);
   command_line.value("--apply", "N", options.apply, says::option_apply);
   command_line.only_with("--apply");
@@ -125,7 +138,7 @@ ExitStatus suggest(Invocation const& invocation) {
     err.write(found->helps() ? warning_line(*found->refusal, invocation.language)
                              : Failure(*found->refusal).line(invocation.language));
   }
-  if (found->suggestion() == nullptr && !found->damping) return ExitStatus::findings;
+  if (found->suggestion() == nullptr && !found->damping && !found->ramps) return ExitStatus::findings;
   auto const& picture = options.picture.path;
   if (picture) refuse_overwriting({*picture}, found->files);
   bool const is_text = options.format == presentation::Format::text;

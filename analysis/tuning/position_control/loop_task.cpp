@@ -1,5 +1,6 @@
 #include "analysis/tuning/position_control/loop_task.hpp"
 
+#include "analysis/motion/axis_ramps.hpp"
 #include "analysis/motion/spectrum.hpp"
 #include "analysis/tuning/suggestion/excitation.hpp"
 
@@ -22,10 +23,11 @@ motion::PlantParameters tuned(motion::PlantParameters plant, double share) {
 
 motion::AxisMove move_of(LoopTask const& task) {
   double const travel = travel_seconds / task.cycle_time.seconds();
+  auto const [up, down] = motion::axis_ramps(task.dynamics);
   return {.axis = 0,
-          .distance = task.velocity * (task.velocity / task.acceleration + travel),
+          .distance = up.way(0, task.velocity) + task.velocity * travel + down.way(0, task.velocity),
           .velocity = task.velocity,
-          .acceleration = task.acceleration};
+          .dynamics = task.dynamics};
 }
 
 double reach_of(Resonance const& resonance) {

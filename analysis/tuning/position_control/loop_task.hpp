@@ -1,8 +1,8 @@
 // An axis in its position loop whose mechanics vibrate: a task for Improved Position Control.
 //
-// The axis moves as the planner lets it, travels for half a second, and stops. How much a resonance swings is
-// the largest amplitude of the load's acceleration around its frequency, while travelling or in the half
-// second after the stop.
+// The axis moves as its lists and the slope of its channel let it, travels for half a second, and stops. How
+// much a resonance swings is the largest amplitude of the load's acceleration around its frequency, while
+// travelling or in the half second after the stop.
 #pragma once
 
 #include "analysis/motion/closed_loop.hpp"
@@ -22,10 +22,10 @@ struct LoopTask {
   machine::AxisConfiguration axis;  ///< its filters stay as they are from start-up; its stages do not count
   motion::PlantParameters plant;
   std::vector<Resonance> resonances;
-  double velocity = 0;      ///< position units per cycle
-  double acceleration = 0;  ///< position units per cycle²
-  double radius = 0;        ///< of a circle on which the axis travels at the velocity, position units
-  double tolerance = 0;     ///< by which the function may move the load on it, position units
+  double velocity = 0;            ///< position units per cycle
+  motion::PathDynamics dynamics;  ///< of the axis alone, with the slope of its channel
+  double radius = 0;              ///< of a circle on which the axis travels at the velocity, position units
+  double tolerance = 0;           ///< by which the function may move the load on it, position units
   bool least_vibration =
       false;  ///< whatever it costs within the tolerance; else half of the vibration may stay
 };

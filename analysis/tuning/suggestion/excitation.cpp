@@ -1,27 +1,21 @@
 #include "analysis/tuning/suggestion/excitation.hpp"
 
+#include "analysis/motion/axis_ramps.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace axisc::tuning {
 namespace {
 
-std::vector<motion::Phase> phases_of(Task const& task) {
-  double const duration = task.velocity / task.acceleration;
-  std::vector<motion::Phase> phases;
-  if (task.ramp) {
-    task.ramp->append_up(0, task.velocity, phases);
-  } else {
-    phases.push_back(
-        {.duration = duration, .length = task.velocity * duration / 2, .acceleration = task.acceleration});
-  }
-  phases.push_back(motion::Phase::steady(task.velocity, 2 * task.velocity));
-  return phases;
-}
-
-std::vector<double> ramp_of(Task const& task) {
-  auto const phases = phases_of(task);
+/// a[n] of a ramp that begins on a cycle at the velocity `from`, and ends at `to`.
+std::vector<double> jumps_of(std::vector<motion::Phase> phases, double from, double to) {
+  double duration = 0;
+  for (auto const& phase : phases) duration += phase.duration;
+  // One cycle more than is looked at.
+  if (to > 0) phases.push_back(motion::Phase::steady(to, 2 * to));
   std::size_t at = 0;
   double begun = 0;
   double passed = 0;
@@ -30,29 +24,56 @@ std::vector<double> ramp_of(Task const& task) {
       begun += phases[at].duration;
       passed += phases[at++].length;
     }
-    return passed + phases[at].way_at(t - begun);
+    return passed + phases[at].way_at(std::min(t - begun, phases[at].duration));
   };
-  double duration = 0;
-  for (std::size_t i = 0; i + 1 < phases.size(); ++i) duration += phases[i].duration;
   auto const last = static_cast<int>(std::ceil(duration));
-  std::vector<double> ramp;
-  double velocity = 0;
+  std::vector<double> jumps;
+  double velocity = from;
   double way = 0;
   for (int n = 0; n < last; ++n) {
     double const next = way_at(n + 1);
-    ramp.push_back(next - way - velocity);
+    jumps.push_back(next - way - velocity);
     velocity = next - way;
     way = next;
   }
-  if (task.velocity - velocity > 1e-9 * task.velocity) ramp.push_back(task.velocity - velocity);
-  return ramp;
+  constexpr double rounding = 1e-9;
+  if (std::abs(to - velocity) > rounding * std::max(from, to)) jumps.push_back(to - velocity);
+  return jumps;
+}
+
+/// Braking is accelerating backwards where both have the same accelerations and times.
+bool is_opposite(std::vector<double> const& up, std::vector<double> const& down, double velocity) {
+  constexpr double rounding = 1e-9;
+  return std::equal(up.begin(), up.end(), down.begin(), down.end(),
+                    [velocity](double a, double b) { return std::abs(a + b) <= rounding * velocity; });
+}
+
+/// Rest to velocity, and velocity to rest where that is another motion.
+std::vector<std::vector<double>> ramps_of(Task const& task) {
+  auto const [up, down] = motion::axis_ramps(task.dynamics);
+  std::vector<motion::Phase> rising;
+  std::vector<motion::Phase> falling;
+  up.append_up(0, task.velocity, rising);
+  down.append_down(task.velocity, 0, falling);
+  std::vector<std::vector<double>> ramps = {jumps_of(std::move(rising), 0, task.velocity)};
+  auto braking = jumps_of(std::move(falling), task.velocity, 0);
+  if (!is_opposite(ramps.front(), braking, task.velocity)) ramps.push_back(std::move(braking));
+  return ramps;
+}
+
+/// The largest of what each drive gives.
+template <class Swing>
+double largest(std::vector<Drive> const& drives, Swing swing_of) {
+  double most = 0;
+  for (auto const& drive : drives) most = std::max(most, swing_of(drive));
+  return most;
 }
 
 }  // namespace
 
-Excitation::Excitation(Task const& task) : ramp_(ramp_of(task)) {
+Excitation::Excitation(Task const& task) : ramps_(ramps_of(task)) {
   double const per_cycle = 2 * std::numbers::pi * task.cycle_time.seconds();
-  auto const unfiltered = drive_behind({});
+  auto const unfiltered = drives_behind({});
   for (auto const& resonance : task.resonances) {
     double const change =
         std::min(std::max(frequency_tolerance * resonance.frequency, 2 * resonance.uncertainty),
@@ -63,37 +84,58 @@ Excitation::Excitation(Task const& task) : ramp_(ramp_of(task)) {
                           .most_damping = highest_damping},
                  .frequency = per_cycle * resonance.frequency,
                  .damping = resonance.damping.value_or(lowest_damping)};
-    one.unfiltered_worst = largest_swing(unfiltered, one.band, 0);
-    one.unfiltered_own = swing(unfiltered, one.frequency, one.damping);
+    one.unfiltered_worst =
+        largest(unfiltered, [&](Drive const& drive) { return largest_swing(drive, one.band, 0); });
+    one.unfiltered_own =
+        largest(unfiltered, [&](Drive const& drive) { return swing(drive, one.frequency, one.damping); });
     resonances_.push_back(one);
   }
 }
 
-Drive Excitation::drive_behind(ImpulseResponse const& chain) const {
-  return {
-      .jumps = in_series({.taps = ramp_, .delay = 0}, chain).taps,
-      .rest = ramp_.size() - 1 + static_cast<std::size_t>(std::max(0.0, std::ceil(2 * chain.delay - 1e-6)))};
+std::vector<Drive> Excitation::drives_behind(ImpulseResponse const& chain) const {
+  auto const late = static_cast<std::size_t>(std::max(0.0, std::ceil(2 * chain.delay - 1e-6)));
+  std::vector<Drive> drives;
+  for (auto const& ramp : ramps_) {
+    drives.push_back(
+        {.jumps = in_series({.taps = ramp, .delay = 0}, chain).taps, .rest = ramp.size() - 1 + late});
+  }
+  return drives;
 }
 
 std::vector<Vibration> Excitation::after(ImpulseResponse const& chain) const {
-  auto const drive = drive_behind(chain);
+  auto const drives = drives_behind(chain);
   std::vector<Vibration> found;
   for (auto const& one : resonances_) {
-    double const worst = largest_swing(drive, one.band, negligible_vibration * one.unfiltered_worst);
-    found.push_back({.worst = worst / one.unfiltered_worst,
-                     .amplitude = swing(drive, one.frequency, one.damping),
-                     .unfiltered = one.unfiltered_own});
+    double const negligible = negligible_vibration * one.unfiltered_worst;
+    double const worst =
+        largest(drives, [&](Drive const& drive) { return largest_swing(drive, one.band, negligible); });
+    double const own =
+        largest(drives, [&](Drive const& drive) { return swing(drive, one.frequency, one.damping); });
+    found.push_back(
+        {.worst = worst / one.unfiltered_worst, .amplitude = own, .unfiltered = one.unfiltered_own});
   }
   return found;
 }
 
 double Excitation::at_least_after(ImpulseResponse const& chain) const {
-  auto const drive = drive_behind(chain);
+  auto const drives = drives_behind(chain);
   double worst = 0;
   for (auto const& one : resonances_) {
-    worst = std::max(worst, swing_at_least(drive, one.band) / one.unfiltered_worst);
+    double const here = largest(drives, [&](Drive const& drive) { return swing_at_least(drive, one.band); });
+    worst = std::max(worst, here / one.unfiltered_worst);
   }
   return worst;
+}
+
+std::vector<Vibration> Excitation::beside(Excitation const& present) const {
+  std::vector<Vibration> found;
+  for (std::size_t i = 0; i < resonances_.size(); ++i) {
+    auto const& before = present.resonances_[i];
+    found.push_back({.worst = resonances_[i].unfiltered_worst / before.unfiltered_worst,
+                     .amplitude = resonances_[i].unfiltered_own,
+                     .unfiltered = before.unfiltered_own});
+  }
+  return found;
 }
 
 }  // namespace axisc::tuning

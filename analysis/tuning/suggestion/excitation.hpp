@@ -1,4 +1,5 @@
-// How much a resonance swings after the planner's ramp from rest to a velocity has passed a chain.
+// How much a resonance swings after the planner's ramps have passed a chain: from rest to a velocity, and,
+// after a travel so long that nothing is left of it, back to rest. The larger of both counts.
 //
 // A mass on a spring rides on the axis,  x'' + 2 D ω x' + ω² x = -s'',  x its position relative to the axis.
 // Setpoints are joined by straight lines: in each cycle the velocity jumps by  a[n] = s[n+1] - 2 s[n] +
@@ -39,6 +40,9 @@ class Excitation {
   [[nodiscard]] std::vector<Vibration> after(ImpulseResponse const& chain) const;
   /// The largest `worst` is at least this. Cost: a 10th.
   [[nodiscard]] double at_least_after(ImpulseResponse const& chain) const;
+  /// These ramps without filters in the place of other ones: shares are those of what `present` leaves
+  /// without filters. For the same resonances.
+  [[nodiscard]] std::vector<Vibration> beside(Excitation const& present) const;
 
  private:
   struct Swinging {
@@ -47,9 +51,9 @@ class Excitation {
     double unfiltered_worst = 0, unfiltered_own = 0;  ///< swings
   };
 
-  [[nodiscard]] Drive drive_behind(ImpulseResponse const& chain) const;
+  [[nodiscard]] std::vector<Drive> drives_behind(ImpulseResponse const& chain) const;
 
-  std::vector<double> ramp_;  ///< a[n] of the unfiltered setpoint
+  std::vector<std::vector<double>> ramps_;  ///< a[n] of the unfiltered setpoint; up, and down if that differs
   std::vector<Swinging> resonances_;
 };
 

@@ -1,7 +1,7 @@
 // The task of a filter for an axis: which resonances it must not excite, and how far the contour may deviate.
 #pragma once
 
-#include "analysis/motion/planning/ramp.hpp"
+#include "analysis/motion/planning/axis_mode.hpp"
 #include "configuration/machine/machine.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
@@ -27,15 +27,13 @@ struct Task {
   design::CycleTime cycle_time;
   std::vector<Resonance> resonances;
   double velocity = 0;
-  double acceleration = 0;  ///< with which the path reaches the velocity
-  double tolerance = 0;     ///< of the axis error
-  double radius = 0;        ///< of a circle on which the velocity keeps the tolerance
+  motion::PathDynamics dynamics = {};  ///< of the axis alone, with the slope of its channel
+  double tolerance = 0;                ///< of the axis error
+  double radius = 0;                   ///< of a circle on which the velocity keeps the tolerance
   std::optional<Goal> goal = std::nullopt;
   /// HSC: the control's build does not have FIR filters.
   machine::KernelFamily family = machine::KernelFamily::fir;
   design::Readings readings{};  ///< how the control computes its filters
-  /// How the path reaches the velocity with the channel's slope; none: with the constant acceleration.
-  std::optional<motion::Ramp> ramp = std::nullopt;
 };
 
 /// A setpoint chain: standard filters one after the other, then a kernel.

@@ -65,7 +65,11 @@ Table table_of(GroupContour const& group, ContourRequest const& wanted) {
     table.columns.push_back(
         column("axis_error_um", Words(says::as_given, {{"text", axis}}), Unit::micrometre, axis));
   }
-  for (auto const& one : group.cases) {
+  auto const passage = passage_columns();
+  for (auto const& one : passage) table.columns.push_back(data_column(one.key));
+  std::size_t const per_feed = group.cases.size() / group.passages.size();
+  for (std::size_t k = 0; k < group.cases.size(); ++k) {
+    auto const& one = group.cases[k];
     auto const add = [&](std::string_view shape, Words words, std::optional<double> deviation,
                          ContourFigures const* figures) {
       Row row{exact(one.feed_mm_per_min), order_of(one), Symbol{shape, std::move(words)},
@@ -74,6 +78,7 @@ Table table_of(GroupContour const& group, ContourRequest const& wanted) {
       for (std::size_t i = 0; i < group.axes.size(); ++i) {
         row.push_back(figures != nullptr ? Value(micrometres(figures->axis_error[i])) : Value());
       }
+      row.resize(table.columns.size());
       table.rows.push_back(std::move(row));
     };
     add("corner", Words(says::corner, {{"angle", exact(wanted.angle_deg, Unit::degree)}}),
@@ -81,6 +86,8 @@ Table table_of(GroupContour const& group, ContourRequest const& wanted) {
     auto const* const passed = one.passed_corner ? &*one.passed_corner : nullptr;
     add("corner_as_passed", says::passed_corner,
         passed != nullptr ? std::optional(passed->deviation) : std::nullopt, passed);
+    auto figures = passage_figures(group.passages[k / per_feed].passage, group.dynamics.cycle_time);
+    std::move(figures.begin(), figures.end(), table.rows.back().end() - std::ssize(passage));
     add("circle", Words(says::circle, {{"radius", exact(wanted.radius_mm, Unit::millimetre)}}),
         one.circle.deviation, &one.circle);
     add("line", says::line, one.line.deviation, &one.line);
@@ -99,7 +106,7 @@ void add_first_case(std::vector<Block>& blocks, Table const& table) {
   for (std::size_t k = 0; k < shapes; ++k) {
     auto const& row = table.rows[k];
     std::vector<Field> fields;
-    for (std::size_t i = shape + 1; i < row.size(); ++i) {
+    for (std::size_t i = shape + 1; i < row.size() - passage_columns().size(); ++i) {
       fields.push_back(data(table.columns[i].key, row[i], table.columns[i].member));
     }
     std::string const name(std::get<Symbol>(row[shape].form()).symbol);

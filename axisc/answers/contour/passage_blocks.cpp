@@ -70,36 +70,48 @@ Words reason_of(motion::PathDynamics const& dynamics, std::size_t axis) {
   return says::by_jerk;
 }
 
+Quantity velocity(double units_per_cycle, design::CycleTime cycle_time) {
+  return rounded(units_per_cycle / (units_per_mm * cycle_time.seconds()), Unit::millimetre_per_second, 4);
+}
+
 Row row_of(PassedFeed const& passed, GroupContour const& group) {
-  double const milliseconds = group.dynamics.cycle_time.seconds() * 1e3;
-  auto const velocity = [&](double units_per_cycle) {
-    return rounded(units_per_cycle / (units_per_mm * group.dynamics.cycle_time.seconds()),
-                   Unit::millimetre_per_second, 4);
-  };
-  auto const& [before, behind, through, slowed_by, step] = passed.passage;
-  Row row{exact(passed.feed_mm_per_min), velocity(through)};
-  for (auto const* const leg : {&before, &behind}) {
-    row.emplace_back(fixed(leg->ramp_time * milliseconds, Unit::millisecond, 1));
-    row.emplace_back(rounded(leg->ramp_way / units_per_mm, Unit::millimetre, 4));
-  }
-  row.push_back(slowed_by ? Value(group.axes[*slowed_by]) : Value());
-  row.push_back(slowed_by ? Value(velocity(step)) : Value());
+  auto const cycle_time = group.dynamics.cycle_time;
+  auto const& passage = passed.passage;
+  Row row{exact(passed.feed_mm_per_min)};
+  for (auto& value : passage_figures(passage, cycle_time)) row.push_back(std::move(value));
+  row.push_back(passage.slowed_by ? Value(group.axes[*passage.slowed_by]) : Value());
+  row.push_back(passage.slowed_by ? Value(velocity(passage.step, cycle_time)) : Value());
   return row;
 }
 
 }  // namespace
 
+Row passage_figures(motion::CornerPassage const& passage, design::CycleTime cycle_time) {
+  double const milliseconds = cycle_time.seconds() * 1e3;
+  Row figures{velocity(passage.velocity, cycle_time)};
+  for (auto const* const leg : {&passage.before, &passage.behind}) {
+    figures.emplace_back(fixed(leg->ramp_time * milliseconds, Unit::millisecond, 1));
+    figures.emplace_back(rounded(leg->ramp_way / units_per_mm, Unit::millimetre, 4));
+  }
+  return figures;
+}
+
+std::vector<Column> passage_columns() {
+  return {column("velocity_mm_s", says::through, Unit::millimetre_per_second),
+          column("braking_ms", says::braking, Unit::millisecond),
+          column("braking_mm", says::over, Unit::millimetre),
+          column("accelerating_ms", says::accelerating, Unit::millisecond),
+          column("accelerating_mm", says::over, Unit::millimetre)};
+}
+
 std::vector<Block> passage_blocks(GroupContour const& group, ContourRequest const& wanted) {
   auto const& channel = group.dynamics.channel;
-  auto table = table_of("corner_passage",
-                        {head_column("feed_mm_per_min", says::passage_feed, Unit::millimetre_per_minute),
-                         column("velocity_mm_s", says::through, Unit::millimetre_per_second),
-                         column("braking_ms", says::braking, Unit::millisecond),
-                         column("braking_mm", says::over, Unit::millimetre),
-                         column("accelerating_ms", says::accelerating, Unit::millisecond),
-                         column("accelerating_mm", says::over, Unit::millimetre),
-                         data_column("slowed_by_axis"), data_column("axis_step_mm_s")},
-                        group.passages, [&](PassedFeed const& passed) { return row_of(passed, group); });
+  Table table{.key = "corner_passage",
+              .columns = {head_column("feed_mm_per_min", says::passage_feed, Unit::millimetre_per_minute)}};
+  for (auto& one : passage_columns()) table.columns.push_back(std::move(one));
+  for (auto& one : data_columns({"slowed_by_axis", "axis_step_mm_s"}))
+    table.columns.push_back(std::move(one));
+  for (auto const& passed : group.passages) table.rows.push_back(row_of(passed, group));
   Section section{.key = {},
                   .title = Words(says::passage_title, {{"angle", exact(wanted.angle_deg, Unit::degree)},
                                                        {"slope", slope_words(channel)}}),

@@ -1,5 +1,7 @@
 #include "axisc/answers/simulation/plant_answer.hpp"
 
+#include "axisc/answers/execution/path_dynamics.hpp"
+
 namespace axisc::says {
 
 constexpr Sentence title{"axis {axis}: {distance} there and back at {feed}, Kv {kv} 1/s",
@@ -89,15 +91,17 @@ presentation::Document plant_answer(ClosedLoopFigures const& figures) {
       .title =
           Words(says::title, {{"axis", figures.axis}, {"distance", distance}, {"feed", feed}, {"kv", gain}}),
       .blocks = {
-          Facts{{data("axis", figures.axis), data("distance_mm", distance), data("feed_mm_per_min", feed),
-                 data("kv_per_s", gain), data("improved_position_control", figures.has_function),
+          Facts{{data("axis", figures.axis), data("slope", slope_name(figures.channel.slope)),
+                 data("channel_list", figures.channel.is_from_list), data("distance_mm", distance),
+                 data("feed_mm_per_min", feed), data("kv_per_s", gain),
+                 data("improved_position_control", figures.has_function),
                  data("max_additive_velocity_um_per_s", additive),
                  data("additive_velocity_limit_um_per_s", limit), data("limit_hit", figures.limit_hit),
                  data("diverges", figures.diverges_with), data("diverges_without", figures.diverges_without),
                  data("highest_kv_without_per_s", figures.highest_kv_without),
                  data("highest_kv_with_per_s", figures.highest_kv_with),
                  data("kv_searched_to_per_s", motion::kv_search_end)}},
-          oscillations(figures)}};
+          Paragraph{slope_words(figures.channel)}, oscillations(figures)}};
   auto const tell = [&answer](Words words) { answer.blocks.emplace_back(Paragraph{std::move(words)}); };
   tell(figures.has_function ? Words(says::v_add, {{"velocity", additive}, {"limit", limit}})
                             : Words(says::no_function, {{"axis", figures.axis}}));

@@ -1,6 +1,7 @@
 #include "axisc/answers/simulation/plant_run.hpp"
 
 #include "analysis/motion/point.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/sentences.hpp"
@@ -103,13 +104,14 @@ PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked, b
   motion::AxisMove const move{.axis = index,
                               .distance = wanted.distance_mm * motion::units_per_mm,
                               .velocity = feed * T,
-                              .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T};
+                              .dynamics = path_dynamics(machine, index)};
   auto const& control = image.contents.axes[index].control;
 
   PlantRun run;
   run.cycle_seconds = T;
   auto& figures = run.figures;
   figures.axis = wanted.axis;
+  figures.channel = move.dynamics.channel;
   figures.distance_mm = wanted.distance_mm;
   figures.feed_mm_per_min = feed / motion::units_per_mm * 60;
   figures.kv = plant.kv;

@@ -29,6 +29,7 @@ struct PhaseOscillation {
 
 struct ClosedLoopFigures {
   std::string axis;
+  machine::ChannelDynamics channel;  ///< whose slope the axis moves with
   double distance_mm = 0, feed_mm_per_min = 0, kv = 0;
   bool has_function = false;
   std::vector<PhaseOscillation> oscillations;  ///< none without function: there is nothing to compare

@@ -9,10 +9,13 @@
 
 namespace axisc::says {
 
-constexpr Sentence bad_apply{"--apply needs 1, 2, 3 or 4, not \"{value}\"",
-                             "--apply braucht 1, 2, 3 oder 4, nicht \"{value}\""};
+constexpr Sentence bad_apply{"--apply needs a number from 1 to 5, not \"{value}\"",
+                             "--apply braucht eine Zahl von 1 bis 5, nicht \"{value}\""};
 constexpr Sentence apply_needs_plant{"--apply 4 is Improved Position Control: it needs --plant",
                                      "--apply 4 ist die optimierte Lageregelung: dafür --plant angeben"};
+constexpr Sentence step_has_no_ramps{
+    "--apply 5 is ramp times, which do not act with STEP; name --slope TRAPEZ or SIN2",
+    "--apply 5 sind Rampenzeiten, die mit STEP nicht wirken; dafür --slope TRAPEZ oder SIN2 angeben"};
 constexpr Sentence written{"written: {file}", "geschrieben: {file}"};
 constexpr Sentence nothing_written{"nothing to write: the lists have this setting already",
                                    "nichts zu schreiben: die Listen haben diese Einstellung schon"};
@@ -44,8 +47,15 @@ Found found_in(Suggested const& suggested, std::size_t number) {
     return {{{.title = damping_name(*damping), .blocks = {}}, suggested.damping->edits},
             suggested.damping->findings};
   }
+  auto const* const ramps = suggested.ramps ? &*suggested.ramps : nullptr;
+  if (number == ramps_number && ramps == nullptr) {
+    throw Failure({.sentence = says::step_has_no_ramps, .arguments = {}});
+  }
+  if (number == ramps_number && ramps->quickest() != nullptr) {
+    return {{{.title = ramps_name(*ramps), .blocks = {}}, ramps->edits}, ramps->findings};
+  }
   auto const* const suggestion = suggested.suggestion();
-  if (number == damping_number || suggestion == nullptr) {
+  if (number >= damping_number || suggestion == nullptr) {
     throw Failure({.sentence = says::nothing_to_apply, .arguments = {{"number", std::to_string(number)}}});
   }
   auto const index = suggestion->proposed.at(number - 1);
@@ -57,7 +67,7 @@ Found found_in(Suggested const& suggested, std::size_t number) {
 
 std::size_t suggestion_number(std::string const& word, bool has_plant) {
   auto const number = parse_count(word);
-  if (!number || *number < 1 || *number > damping_number) {
+  if (!number || *number < 1 || *number > ramps_number) {
     throw Failure({.sentence = says::bad_apply, .arguments = {{"value", word}}});
   }
   if (*number == damping_number && !has_plant) {

@@ -10,7 +10,8 @@
 
 namespace axisc {
 
-/// A suggestion by its number: 1, 2 and 3 are filters, 4 is Improved Position Control.
+/// A suggestion by its number: 1, 2 and 3 are filters, 4 is Improved Position Control, 5 are ramp
+/// times.
 struct ChosenSuggestion {
   presentation::Document answer;  ///< which one it is, and its NC command
   ListEdits const& edits;

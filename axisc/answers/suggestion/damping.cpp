@@ -44,7 +44,7 @@ DampingAnswer damping_for(SuggestionSubject const& subject, tuning::Task const& 
                              .plant = plant,
                              .resonances = task.resonances,
                              .velocity = task.velocity,
-                             .acceleration = task.acceleration,
+                             .dynamics = task.dynamics,
                              .radius = task.radius,
                              .tolerance = task.tolerance,
                              .least_vibration = task.goal == tuning::Goal::surface});

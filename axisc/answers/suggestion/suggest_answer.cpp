@@ -172,11 +172,13 @@ presentation::Document suggest_answer(Suggested const& suggested) {
       .blocks = {Facts{
           {data("axis", suggested.axis), data("group", suggested.group), data("settings_compared", count)}}},
       .csv_table = "lines"};
+  add_excitation(answer.blocks, suggested);
   if (suggestion != nullptr) {
     add_filters(answer, *suggestion);
   } else {
     answer.blocks.emplace_back(Sections{.key = "alternatives", .items = {}});
   }
+  if (suggested.ramps) answer.blocks.emplace_back(ramp_section(suggested));
   if (suggested.damping) answer.blocks.emplace_back(damping_section(suggested));
   return answer;
 }

@@ -41,6 +41,15 @@ namespace axisc {
 /// Of an answer that has looked for it.
 [[nodiscard]] presentation::Section damping_section(Suggested const& suggested);
 
+/// What moves the axis, and how much of it reaches each resonance.
+void add_excitation(std::vector<presentation::Block>& blocks, Suggested const& suggested);
+
+/// Ramp times and what they cost, of an answer that has compared them.
+[[nodiscard]] presentation::Section ramp_section(Suggested const& suggested);
+
+/// The number and the setting, of an answer that has one.
+[[nodiscard]] presentation::Words ramps_name(RampAnswer const& answer);
+
 /// The number and the setting, of an answer that has one.
 [[nodiscard]] presentation::Words damping_name(tuning::Damping const& damping);
 

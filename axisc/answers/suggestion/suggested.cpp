@@ -1,7 +1,7 @@
 #include "axisc/answers/suggestion/suggested.hpp"
 
-#include "analysis/motion/path_block.hpp"
 #include "axisc/answers/execution/group_chains.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/suggestion/resonance_words.hpp"
 #include "axisc/checking/compilable.hpp"
 #include "axisc/environment/failure.hpp"
@@ -20,8 +20,6 @@ constexpr Sentence which_axis{"name the vibrating axis with --axis",
 constexpr Sentence no_channel{
     "axis {axis} belongs to no channel: its setpoint passes no filter of a path",
     "Achse {axis} gehört zu keinem Kanal: ihr Sollwert läuft durch keinen Bahnfilter"};
-constexpr Sentence no_acceleration{"axis {axis} has no acceleration: set a_max (P-AXIS-00008)",
-                                   "Achse {axis} hat keine Beschleunigung: a_max (P-AXIS-00008) setzen"};
 constexpr Sentence feed_limited{
     "axis {axis} moves at most at {limit} mm/min (vb_max, P-AXIS-00212): this feed counts",
     "Achse {axis} fährt höchstens mit {limit} mm/min (vb_max, P-AXIS-00212): dieser "
@@ -54,16 +52,16 @@ std::size_t group_of(machine::Machine const& machine, std::size_t axis) {
   throw Failure({.sentence = says::no_channel, .arguments = {{"axis", machine.axes[axis].name}}});
 }
 
-/// How the axis reaches the feed alone, with the slope of its channel.
-motion::Ramp ramp_of(machine::Machine const& machine, std::size_t axis) {
-  auto const& group = machine.groups[group_of(machine, axis)];
-  motion::PathLimits limits({.axes = {machine.axes[axis].dynamics},
-                             .channel = group.dynamics,
-                             .readings = {},
-                             .cycle_time = machine.cycle_time});
-  motion::ProgrammedBlock block;
-  block.end[0] = 1;
-  return limits.block(block, {}, 1, block.feed, false).up;
+/// With the slope that the question wants.
+motion::PathDynamics dynamics_of(SuggestQuestion const& question, SuggestionSubject const& subject) {
+  auto dynamics = path_dynamics(subject.machine, subject.axis);
+  dynamics.channel.slope = question.slope.value_or(dynamics.channel.slope);
+  return dynamics;
+}
+
+SlopeSource slope_source(SuggestQuestion const& question, tuning::Task const& task) {
+  if (question.slope) return SlopeSource::option;
+  return task.dynamics.channel.is_from_list ? SlopeSource::channel_list : SlopeSource::control_default;
 }
 
 /// Without resonances.
@@ -72,10 +70,6 @@ tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& s
   constexpr double mm_per_min_of_um_per_s = 0.06;
   auto const& machine = subject.machine;
   auto const& axis = machine.axes[subject.axis];
-  double const T = machine.cycle_time.seconds();
-  if (!(axis.acceleration_limit > 0)) {
-    throw Failure({.sentence = says::no_acceleration, .arguments = {{"axis", axis.name}}});
-  }
   double feed = question.feed_mm_per_min;
   double const limit = axis.velocity_limit * mm_per_min_of_um_per_s;
   if (limit > 0 && feed > limit) {
@@ -88,13 +82,12 @@ tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& s
   return {.cycle_time = machine.cycle_time,
           .resonances = {},
           .velocity = path_velocity(feed, machine.cycle_time),
-          .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T,
+          .dynamics = dynamics_of(question, subject),
           .tolerance = question.tolerance_mm * motion::units_per_mm,
           .radius = question.radius_mm * motion::units_per_mm,
           .goal = question.goal,
           .family = knows_fir ? machine::KernelFamily::fir : machine::KernelFamily::hsc,
-          .readings = subject.loaded.readings,
-          .ramp = ramp_of(machine, subject.axis)};
+          .readings = subject.loaded.readings};
 }
 
 Message nothing_helps(NoSuggestion const& none, SuggestQuestion const& question) {
@@ -155,6 +148,8 @@ std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& qu
   }
   found.task = task_of(question, subject, found.remark);
   found.task.resonances = std::move(resonances);
+  found.slope_source = slope_source(question, found.task);
+  found.ramps = ramp_times_for(subject, found.task);
   if (question.plant) found.damping = damping_for(subject, found.task, *question.plant);
   found.filters = suggestion_for(subject, found.task);
   if (auto* const suggestion = std::get_if<Suggestion>(&found.filters)) {

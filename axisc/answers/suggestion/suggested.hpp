@@ -3,9 +3,11 @@
 
 #include "analysis/tuning/identification/measurement.hpp"
 #include "axisc/answers/suggestion/damping.hpp"
+#include "axisc/answers/suggestion/ramp_times.hpp"
 #include "axisc/answers/suggestion/suggestion.hpp"
 #include "axisc/checking/path_machine.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -22,12 +24,18 @@ struct SuggestQuestion {
   std::optional<std::string> plant;       ///< a file: compare Improved Position Control too
   double tolerance_mm = 0.01, feed_mm_per_min = 4000, radius_mm = 10;
   std::optional<tuning::Goal> goal;
+  std::optional<machine::Slope> slope;  ///< with which the axis moves; none: that of its channel
 };
+
+/// Who says with which slope the axis moves.
+enum class SlopeSource : std::uint8_t { option, channel_list, control_default };
 
 struct Suggested {
   std::string axis, group;
   tuning::Task task = {};
   std::variant<NoSuggestion, Suggestion> filters = {};
+  SlopeSource slope_source = SlopeSource::control_default;
+  std::optional<RampAnswer> ramps = {};       ///< unless the slope is STEP
   std::optional<DampingAnswer> damping = {};  ///< with a plant
   std::optional<Message> remark = {};         ///< the feed that counts is another one
   std::optional<Message> refusal = {};        ///< why no filters are suggested
@@ -37,7 +45,8 @@ struct Suggested {
   [[nodiscard]] Suggestion const* suggestion() const { return std::get_if<Suggestion>(&filters); }
   /// Anything is suggested.
   [[nodiscard]] bool helps() const {
-    return suggestion() != nullptr || (damping && damping->damping() != nullptr);
+    return suggestion() != nullptr || (damping && damping->damping() != nullptr) ||
+           (ramps && ramps->quickest() != nullptr);
   }
 };
 

@@ -4,7 +4,9 @@
 #include "channels.hpp"
 #include "codegen/image_writer.hpp"
 #include "support/catch.hpp"
+#include "support/step_dynamics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,7 +46,7 @@ image::RuntimeHost runtime(double weight, double frequency) {
 }
 
 AxisMove move_of(double distance_mm) {
-  return {.axis = 0, .distance = distance_mm * 1e4, .velocity = 3000, .acceleration = 30};
+  return {.axis = 0, .distance = distance_mm * 1e4, .velocity = 3000, .dynamics = test::step_dynamics(30)};
 }
 
 }  // namespace
@@ -124,6 +126,31 @@ TEST_CASE("the load ends where the setpoint does") {
   CHECK_FALSE(diverges(record, 0.001));
   CHECK(record.cycles.front().phase == MovePhase::ramp);
   CHECK(record.cycles.back().phase == MovePhase::rest);
+}
+
+TEST_CASE("the axis moves with the slope of its channel") {
+  // TRAPEZ, 3000 mm/s², 50 ms to build up, 30 ms to take back: 300 mm/s after 100 + (50 + 30) / 2 cycles.
+  auto move = move_of(100);
+  move.dynamics.channel.slope = machine::Slope::trapez;
+  auto& feed = move.dynamics.axes[0].feed;
+  feed.up = {.acceleration = 3000, .build_up = 50'000, .take_back = 30'000};
+  feed.down = {.acceleration = 3000, .build_up = 20'000, .take_back = 20'000};
+  auto host = runtime(0.01, 40);
+  auto const record = simulate_loop(host, move, two_masses(), false);
+  auto const first_travel =
+      std::find_if(record.cycles.begin(), record.cycles.end(),
+                   [](LoopCycle const& cycle) { return cycle.phase == MovePhase::travel; });
+  CHECK(first_travel - record.cycles.begin() == 139);
+  double steepest = 0;
+  double largest_jerk = 0;
+  for (std::size_t n = 3; n < 600; ++n) {
+    auto const s = [&](std::size_t back) { return record.cycles[n - back].setpoint; };
+    steepest = std::max(steepest, std::abs(s(0) - 2 * s(1) + s(2)));
+    largest_jerk = std::max(largest_jerk, std::abs(s(0) - 3 * s(1) + 3 * s(2) - s(3)));
+  }
+  // Units per cycle²; braking builds up in 20 ms.
+  CHECK(steepest <= 30 * (1 + 1e-9));
+  CHECK(largest_jerk == Approx(30.0 / 20));
 }
 
 TEST_CASE("weights raised far enough make the loop diverge") {

@@ -6,6 +6,7 @@
 #include "analysis/tuning/position_control/stage_settings.hpp"
 #include "analysis/tuning/position_control/whole_loop.hpp"
 #include "support/catch.hpp"
+#include "support/step_dynamics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,7 @@ LoopTask rack(std::vector<Resonance> resonances) {
                 .feedback = motion::PositionFeedback::motor};
   task.resonances = std::move(resonances);
   task.velocity = 530 * motion::units_per_mm * 1e-3;
-  task.acceleration = 7650 * motion::units_per_mm * 1e-6;
+  task.dynamics = test::step_dynamics(7650 * motion::units_per_mm * 1e-6);
   task.radius = 100 * motion::units_per_mm;
   task.tolerance = 0.1 * motion::units_per_mm;
   return task;
@@ -250,7 +251,7 @@ TEST_CASE(
     "nothing is suggested for a load that hardly swings, a loop that diverges and a tolerance of nothing") {
   auto slow = rack({{.frequency = 53}});
   slow.velocity /= 10;
-  slow.acceleration /= 10;
+  slow.dynamics = test::step_dynamics(765 * motion::units_per_mm * 1e-6);
   CHECK(refused(slow) == NoDamping::still);
   auto harsh = column();
   harsh.plant.feedback = motion::PositionFeedback::direct;

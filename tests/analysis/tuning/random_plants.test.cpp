@@ -31,20 +31,12 @@ struct Recorder final : motion::SampleSink {
 std::vector<double> planned_ramp(Task const& task, std::size_t cycles) {
   Recorder recorder;
   motion::Interpolator interpolator(recorder);
-  // The task's units per cycle as a list gives them.
-  double const T = task.cycle_time.seconds();
-  machine::AxisDynamics axis;
-  axis.feed.velocity = task.velocity / (motion::units_per_um * T);
-  double const acceleration = task.acceleration / (motion::units_per_mm * T * T);
-  axis.feed.step_up = axis.feed.step_down = {.first = acceleration, .second = acceleration};
-  motion::PathDynamics dynamics;
-  dynamics.axes = {axis};
-  dynamics.cycle_time = task.cycle_time;
-  motion::LookAhead look_ahead(motion::PathLimits(dynamics), false, interpolator);
+  motion::LookAhead look_ahead(motion::PathLimits(task.dynamics), false, interpolator);
   look_ahead.begin({}, {}, 1);
   motion::ProgrammedBlock block;
   // So long that braking begins after everything that is looked at.
-  double const ramp = task.velocity / task.acceleration;
+  double const ramp = task.velocity / test::step_acceleration(task.dynamics);
+  block.feed = task.velocity;
   block.end[0] = task.velocity * (2 * ramp + static_cast<double>(cycles) + 10);
   look_ahead.add(block);
   look_ahead.stop();
@@ -80,7 +72,8 @@ std::vector<double> filtered(std::vector<double> setpoints, tuning::Chain const&
 
 void check_vibration(Task const& task, Candidate const& candidate) {
   double const T = task.cycle_time.seconds();
-  auto const ramp = static_cast<std::size_t>(std::ceil(task.velocity / task.acceleration - 1e-9));
+  auto const ramp =
+      static_cast<std::size_t>(std::ceil(task.velocity / test::step_acceleration(task.dynamics) - 1e-9));
   auto const rest = ramp + static_cast<std::size_t>(std::ceil(2 * candidate.figures.delay - 1e-6));
   auto const setpoints = planned_ramp(task, rest + 400);
   auto const out = filtered(setpoints, candidate.chain, task);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/tuning/suggestion/task.hpp"
+#include "support/step_dynamics.hpp"
 
 #include <array>
 #include <cmath>
@@ -28,7 +29,7 @@ inline tuning::Task random_task(std::uint32_t seed) {
   }
   double const feed = between(500, 8000) / 60;
   task.velocity = feed * T * units_per_mm;
-  task.acceleration = between(500, 8000) * T * T * units_per_mm;
+  task.dynamics = step_dynamics(between(500, 8000) * T * T * units_per_mm, task.cycle_time);
   task.tolerance = between(0.005, 0.05) * units_per_mm;
   task.radius = between(10, 50) * units_per_mm;
   return task;

@@ -4,6 +4,7 @@
 #include "analysis/tuning/suggestion/list_lines.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
+#include "support/step_dynamics.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -69,7 +70,7 @@ TEST_CASE("the page on suggestions compares with classic shapers at an equal del
   Task const task{.cycle_time = {1'000'000},
                   .resonances = {{.frequency = 48, .damping = 0.03}},
                   .velocity = 4000.0 / 60 * units_per_mm * 1e-3,
-                  .acceleration = 3000 * units_per_mm * 1e-6,
+                  .dynamics = test::step_dynamics(3000 * units_per_mm * 1e-6),
                   .tolerance = 0.1 * units_per_mm,
                   .radius = 10 * units_per_mm};
   Judge const judge(task);

@@ -1,8 +1,12 @@
+#include "analysis/motion/axis_ramps.hpp"
 #include "analysis/tuning/suggestion/choice.hpp"
 #include "analysis/tuning/suggestion/excitation.hpp"
 #include "analysis/tuning/suggestion/list_lines.hpp"
+#include "analysis/tuning/suggestion/ramp_candidates.hpp"
+#include "analysis/tuning/suggestion/ramp_envelope.hpp"
 #include "random_tasks.hpp"
 #include "support/catch.hpp"
+#include "support/step_dynamics.hpp"
 
 #include <array>
 #include <complex>
@@ -19,7 +23,7 @@ Task one_resonance() {
   return {.cycle_time = {1'000'000},
           .resonances = {{.frequency = 48, .damping = 0.03}},
           .velocity = 4000.0 / 60 * units_per_mm * 1e-3,
-          .acceleration = 2000 * units_per_mm * 1e-6,
+          .dynamics = test::step_dynamics(2000 * units_per_mm * 1e-6),
           .tolerance = 0.01 * units_per_mm,
           .radius = 10 * units_per_mm};
 }
@@ -47,10 +51,11 @@ std::vector<double> plain_kernel(design::KernelSpecification const& kernel, doub
 
 /// Velocity jumps of a ramp to the task's velocity, filtered.
 std::vector<double> plain_jumps(std::vector<double> const& taps, Task const& task) {
-  double const duration = task.velocity / task.acceleration;
+  double const acceleration = test::step_acceleration(task.dynamics);
+  double const duration = task.velocity / acceleration;
   auto const ramp = static_cast<std::size_t>(std::ceil(duration - 1e-9));
   auto const way = [&](double t) {
-    return t < duration ? task.acceleration * t * t / 2
+    return t < duration ? acceleration * t * t / 2
                         : task.velocity * duration / 2 + task.velocity * (t - duration);
   };
   std::vector<double> jumps(taps.size() + ramp);
@@ -107,14 +112,11 @@ TEST_CASE("a ramp's slope excites a resonance by its envelope") {
     for (int hold = 20; hold <= 41; ++hold) {
       Task task = one_resonance();
       task.resonances[0].damping = 1e-6;
-      double const a = task.acceleration;
-      bool const is_step = slope == machine::Slope::step;
-      task.velocity = a * (50 + hold);
-      std::array<motion::AccelerationStep, motion::most_axes + 1> const steps = {
-          {{.above = 0, .acceleration = a}}};
-      task.ramp = is_step ? motion::Ramp(steps, 1, false)
-                          : motion::Ramp({.acceleration = a, .at_slow_end = 50, .at_fast_end = 50},
-                                         {.sine = slope == machine::Slope::sin2});
+      task.dynamics.channel.slope = slope;
+      auto& ramp = task.dynamics.axes[0].feed.up;
+      ramp = {.acceleration = 2000, .build_up = 50'000, .take_back = 50'000};
+      task.dynamics.axes[0].feed.down = ramp;
+      task.velocity = test::step_acceleration(task.dynamics) * (50 + hold);
       most = std::max(most, Excitation(task).after({.taps = {1}, .delay = 0}).at(0).unfiltered);
     }
     return most;
@@ -122,6 +124,73 @@ TEST_CASE("a ramp's slope excites a resonance by its envelope") {
   double const step = largest(machine::Slope::step);
   CHECK(largest(machine::Slope::trapez) / step == Approx(0.126).epsilon(0.02));
   CHECK(largest(machine::Slope::sin2) / step == Approx(0.0140).epsilon(0.02));
+}
+
+TEST_CASE("the envelopes of 48 Hz and 50 ms are those of the specification") {
+  double const x = pi * 48 * 0.05;
+  CHECK(trapez_envelope(x) == Approx(0.126).epsilon(2e-3));
+  CHECK(sine_envelope(x) == Approx(0.0140).epsilon(2e-3));
+  CHECK(trapez_envelope(0) == 1);
+  CHECK(sine_envelope(0) == 1);
+  CHECK(sine_envelope(pi / 2) == Approx(pi / 4));
+  CHECK(trapez_envelope(pi) == Approx(0).margin(1e-12));
+  CHECK(sine_envelope(1.5 * pi) == Approx(0).margin(1e-12));
+  // 50 ms and 30 ms: the mean of both ends. A change of a quarter of a t̄/2 has ramps of half the times.
+  auto const ramp = [](double first, double second) {
+    return motion::Ramp({.acceleration = 20, .at_slow_end = first, .at_fast_end = second}, {});
+  };
+  double const theta = 2 * pi * 0.048;
+  CHECK(envelope(ramp(50, 30), 2000, theta) ==
+        Approx((trapez_envelope(x) + trapez_envelope(pi * 48 * 0.03)) / 2));
+  CHECK(envelope(ramp(50, 50), 20 * 50 / 4.0, theta) == Approx(trapez_envelope(x / 2) / 2));
+  CHECK(envelope(motion::axis_ramps(test::step_dynamics(20)).up, 2000, theta) == 1);
+}
+
+TEST_CASE("the ramp that excites more counts, whether the axis accelerates or brakes") {
+  auto const swing_of = [](Task const& task) {
+    return Excitation(task).after({.taps = {1}, .delay = 0}).at(0).unfiltered;
+  };
+  auto const with_accelerations = [](double up, double down) {
+    auto task = one_resonance();
+    auto& feed = task.dynamics.axes[0].feed;
+    feed.step_up = {.first = up, .second = up};
+    feed.step_down = {.first = down, .second = down};
+    return task;
+  };
+  double const slow = swing_of(with_accelerations(1300, 1300));
+  double const quick = swing_of(with_accelerations(6000, 6000));
+  REQUIRE(std::abs(slow - quick) > 0.1 * slow);
+  CHECK(swing_of(with_accelerations(1300, 6000)) == Approx(std::max(slow, quick)));
+  CHECK(swing_of(with_accelerations(6000, 1300)) == Approx(std::max(slow, quick)));
+}
+
+TEST_CASE("ramp times are zeros of the envelope, and their share is that of their own ramps") {
+  auto task = one_resonance();
+  CHECK_FALSE(ramp_candidates(task, Excitation(task)).has_value());
+  task.dynamics.channel.slope = machine::Slope::trapez;
+  auto& axis = task.dynamics.axes[0];
+  axis.feed.up = axis.feed.down = {.acceleration = 1000, .build_up = 12'000, .take_back = 12'000};
+  auto const found = ramp_candidates(task, Excitation(task));
+  REQUIRE(found.has_value());
+  REQUIRE(found->candidates.size() == 3);
+  // n / 48 Hz in µs, rounded up; v/a + tr.
+  CHECK(found->candidates[0].ramp_time == 20834);
+  CHECK(found->candidates[2].ramp_time == 62500);
+  CHECK(found->up_time == Approx(66.6667 + 12).epsilon(1e-5));
+  CHECK(found->candidates[1].down_time == Approx(66.6667 + 41.667).epsilon(1e-5));
+  REQUIRE(found->quickest.has_value());
+  auto other = task;
+  for (auto* const ramp : {&other.dynamics.axes[0].feed.up, &other.dynamics.axes[0].feed.down}) {
+    ramp->build_up = ramp->take_back = found->candidates[0].ramp_time;
+  }
+  CHECK(found->candidates[0].vibration == Approx(Excitation(other).beside(Excitation(task))[0].worst));
+  for (std::size_t i = 0; i < *found->quickest; ++i) {
+    CHECK(found->candidates[i].vibration > sufficient_vibration);
+  }
+  CHECK(found->candidates[*found->quickest].vibration <= sufficient_vibration);
+  // None is shorter than P-AXIS-00201.
+  axis.shortest_ramp_time = 30'000;
+  CHECK(ramp_candidates(task, Excitation(task))->candidates.size() == 2);
 }
 
 TEST_CASE(
@@ -194,7 +263,7 @@ TEST_CASE("the worst case is the largest swing of the whole band of frequencies 
     auto task = one_resonance();
     task.resonances = {{.frequency = row.resonance}};
     task.velocity = row.feed / 60 * units_per_mm * 1e-3;
-    task.acceleration = row.acceleration * units_per_mm * 1e-6;
+    task.dynamics = test::step_dynamics(row.acceleration * units_per_mm * 1e-6);
     auto const taps = plain_kernel(row.kernel, task.cycle_time.seconds());
     constexpr int frequencies = 1600;
     constexpr int dampings = 40;

@@ -170,6 +170,11 @@ TEST_CASE("a corner as the control passes it: slope, weights and ramps of the li
   }
   auto const csv = run_axisc({"contour", "m.json", "--format", "csv"}, there).out;
   CHECK(csv.find("mill,1000,,corner_as_passed,") != std::string::npos);
+  // The second row of the answer at 6000 mm/min, whose other rows have none.
+  CHECK(found["table"][1]["velocity_mm_s"] == passage["velocity_mm_s"]);
+  CHECK(found["table"][1]["braking_mm"] == passage["braking_mm"]);
+  CHECK(found["table"][0]["velocity_mm_s"].is_null());
+  CHECK(found["table"][6]["braking_ms"] == found["corner_passage"][1]["braking_ms"]);
 
   // A weight, and a slow feed that needs none.
   std::string const weight = "getriebe[0].dynamik.a_trans_weight 500\n";

@@ -61,6 +61,66 @@ TEST_CASE("suggest answers in two languages and as JSON") {
   }
 }
 
+TEST_CASE("ramp times whose zeros lie on the resonance stand beside the filters") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  // Without a channel list STEP, which no ramp time acts on.
+  auto const step = suggested(there);
+  CHECK(step["slope"] == "STEP");
+  CHECK(step["slope_from"] == "default");
+  CHECK(step["excitation"][0]["share_of_step"] == 1);
+  CHECK_FALSE(step.contains("ramp_times"));
+  // 1000 mm/s² and 50 ms: 66.7 mm/s reach the acceleration. |sin x / x| and |cos x / (1 - (2x/π)²)|.
+  auto const trapez = suggested(there, {"--slope", "TRAPEZ"});
+  CHECK(trapez["slope_from"] == "option");
+  CHECK(trapez["excitation"][0]["share_of_step"].get<double>() == Approx(0.126).epsilon(1e-2));
+  auto const sine = suggested(there, {"--slope", "SIN2"});
+  CHECK(sine["excitation"][0]["share_of_step"].get<double>() == Approx(0.0140).epsilon(1e-2));
+  CHECK(sine["ramp_times"]["candidates"][0]["ramp_time_ms"].get<double>() == Approx(31.25));
+  auto const& first = trapez["ramp_times"]["candidates"][0];
+  CHECK(first["ramp_time_ms"].get<double>() == Approx(1000.0 / 48).epsilon(1e-4));
+  CHECK(first["time_to_feed_ms"].get<double>() == Approx(200.0 / 3 + 1000.0 / 48).epsilon(1e-4));
+  CHECK(first["longer_by_ms"].get<double>() == Approx(2 * (1000.0 / 48 - 50)).epsilon(1e-3));
+  CHECK_THAT(suggest(there, {"--slope", "HSC"}).out, Catch::Matchers::Contains("this is a reading"));
+}
+
+TEST_CASE("ramp times are written into the list of the axis, and are then present") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  folder.write("channel.lis", "prog_start.slope.profile 1\nEnde\n");
+  folder.write(
+      "machine.json",
+      R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"},
+             {"name": "Z", "list": "z.lis"}],
+             "groups": [{"name": "mill", "axes": ["X", "Y", "Z"], "channel_list": "channel.lis"}]})");
+  std::string list = folder.read("x.lis");
+  std::string short_ramps;
+  for (std::string const name : {"tr_beschl_zu", "tr_beschl_ab", "tr_brems_zu", "tr_brems_ab"}) {
+    short_ramps += "getriebe[0].slope_profil." + name + " 10000\n";
+  }
+  list.insert(list.find("Ende"), short_ramps);
+  folder.write("x.lis", list);
+
+  // Of a band of ±10 % around its zero |sin x / x| leaves at most 0.085 of STEP; ramps of 10 ms leave 0.66.
+  auto const found = suggested(there)["ramp_times"];
+  CHECK(found["number"] == 5);
+  CHECK(found["candidates"][0]["remaining_vibration"] < 0.25);
+  CHECK(found["axes"].size() == 1);
+  CHECK(found["axes"][0]["lines"].size() == 4);
+  CHECK(found["findings"].empty());
+  auto const written = suggest(there, {"--apply", "5"});
+  INFO(written.err);
+  CHECK(written.status == 0);
+  CHECK_THAT(written.out, Catch::Matchers::Contains("5 ramp times of 20.834 ms"));
+  std::string const text = folder.read("x.lis");
+  CHECK(text.find("tr_beschl_zu 20834\n") != std::string::npos);
+  CHECK(text.find("tr_brems_ab 20834\n") != std::string::npos);
+  CHECK(run_axisc({"lint", "machine.json"}, there).status == 0);
+  auto const again = suggested(there)["ramp_times"];
+  CHECK(again["candidates"][0]["remaining_vibration"].get<double>() == Approx(1));
+  CHECK(again["candidates"][0]["longer_by_ms"].get<double>() == Approx(0).margin(1e-6));
+}
+
 TEST_CASE("each suggestion can be written, is then present, and has no findings") {
   for (std::string const number : {"1", "2", "3"}) {
     TemporaryFolder const folder;
@@ -184,7 +244,11 @@ TEST_CASE(
 TEST_CASE("suggest refuses what it cannot answer") {
   TemporaryFolder const folder;
   auto const there = sample(folder);
-  CHECK(suggest(there, {"--apply", "5"}).status == 2);
+  CHECK(suggest(there, {"--apply", "6"}).status == 2);
+  auto const without_ramps = suggest(there, {"--apply", "5"});
+  CHECK(without_ramps.status == 2);
+  CHECK(without_ramps.err.find("do not act with STEP") != std::string::npos);
+  CHECK(suggest(there, {"--slope", "ROUND"}).status == 2);
   CHECK(suggest(there, {"--feed", "0"}).status == 2);
   CHECK(run_axisc({"suggest", "machine.json", "--axis", "Q", "--resonance", "48Hz"}, there).status == 2);
   for (std::string const bad : {"", "48Hz,", "500Hz", "x", "48:1", "48:0", "1,2,3,4", "0.5"}) {
