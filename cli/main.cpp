@@ -36,9 +36,7 @@ using namespace axisc;
 using namespace axisc::cli;
 
 std::string help(Language language) {
-  auto const say = [language](SentenceRef text) {
-    return render({.sentence = text, .arguments = {}}, language);
-  };
+  auto const say = [language](SentenceRef text) { return render({text}, language); };
   auto const width = help_width();
   auto const page = help_page({}, language);
   std::string text = help_paragraphs(page.purpose, width) + "\n" + say(cli::says::help_usage) + ": axisc " +
@@ -82,7 +80,7 @@ ExitStatus without_command(std::vector<std::string> const& arguments, Language l
     if (takes_value(argument)) {
       ++i;
     } else if (!argument.starts_with("--lang=") && !argument.starts_with("--color=")) {
-      throw Failure({.sentence = cli::says::no_option, .arguments = {{"option", argument}}});
+      throw Failure({cli::says::no_option, {{"option", argument}}});
     }
   }
   streams.err.write(help(language));
@@ -107,8 +105,8 @@ ExitStatus dispatch(std::vector<std::string> arguments, Language language, Strea
     names.push_back(command.name);
   }
   auto const meant = schema::closest_word(word, names);
-  throw Failure({.sentence = meant.empty() ? cli::says::unknown_command : cli::says::unknown_command_meant,
-                 .arguments = {{"command", word}, {"meant", std::string(meant)}}});
+  throw Failure({meant.empty() ? cli::says::unknown_command : cli::says::unknown_command_meant,
+                 {{"command", word}, {"meant", std::string(meant)}}});
 }
 
 }  // namespace

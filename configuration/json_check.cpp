@@ -135,8 +135,7 @@ class Checker {
 
  private:
   JsonProblem& add(Span span, SentenceRef text, std::vector<Argument> arguments = {}) {
-    return check_.problems.emplace_back(
-        JsonProblem{span, {.sentence = text, .arguments = std::move(arguments)}, {}, {}, {}, {}});
+    return check_.problems.emplace_back(JsonProblem{span, {text, std::move(arguments)}, {}, {}, {}, {}});
   }
 
   /// The shape's own sentence, otherwise the general one.

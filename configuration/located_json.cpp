@@ -47,7 +47,7 @@ class TokenCursor {
     std::size_t const before = bytes_.find_last_not_of(" \t\r\n", token.begin == 0 ? 0 : token.begin - 1);
     char const previous = token.begin == 0 || before == std::string_view::npos ? '{' : bytes_[before];
     auto const because = [&](SentenceRef reason) {
-      return JsonError{.span = token, .reason = Message{.sentence = reason, .arguments = {}}};
+      return JsonError{.span = token, .reason = Message{reason}};
     };
     bool const closes = first == '}' || first == ']';
     if (closes && previous == ',') return because(says::trailing_comma);
@@ -155,8 +155,7 @@ class TreeBuilder {
     JsonValue const* const value = add(kind);
     if (open_.size() >= deepest_json) {
       error_ = JsonError{.span = value->span,
-                         .reason = Message{.sentence = says::too_deep,
-                                           .arguments = {{"most", std::to_string(deepest_json)}}}};
+                         .reason = Message{says::too_deep, {{"most", std::to_string(deepest_json)}}}};
       return false;
     }
     open_.push_back(document_.values.size() - 1);

@@ -175,8 +175,7 @@ class MachineFileReader {
       : text_(text), source_(source), findings_(findings) {}
 
   void broken(JsonError const& error) {
-    Finding& finding =
-        add(error.span, {.sentence = error.span.empty() ? says::json_end : says::json, .arguments = {}});
+    Finding& finding = add(error.span, {error.span.empty() ? says::json_end : says::json});
     finding.label = error.reason;
   }
 
@@ -218,28 +217,25 @@ class MachineFileReader {
     suggest(finding, problem.suggestion);
     if (!problem.number.empty()) {
       finding.fix =
-          write({.sentence = says::json_write_number, .arguments = {{"replacement", problem.number}}},
-                *finding.place, problem.number);
+          write({says::json_write_number, {{"replacement", problem.number}}}, *finding.place, problem.number);
     }
     if (ascii::equal_ignoring_case(text_.slice(problem.span), "\"EtherCAT\"")) {
-      finding.help.push_back({.sentence = says::ethercat, .arguments = {}});
+      finding.help.push_back({says::ethercat});
     }
     if (!problem.known_keys.empty()) {
-      finding.notes.push_back(
-          {.sentence = says::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
+      finding.notes.push_back({says::json_known_keys, {{"keys", problem.known_keys}}});
     }
     if (problem.first) relate(finding, {.source = source_, .span = *problem.first});
   }
 
   static void relate(Finding& finding, Place first) {
-    finding.related.push_back({.place = first, .message = {.sentence = says::json_first, .arguments = {}}});
+    finding.related.push_back({.place = first, .message = {says::json_first}});
   }
 
   static void suggest(Finding& finding, std::string const& word) {
     if (word.empty()) return;
-    finding.help.push_back({.sentence = says::json_did_you_mean, .arguments = {{"suggestion", word}}});
-    finding.fix = write({.sentence = says::json_fix, .arguments = {{"replacement", word}}}, *finding.place,
-                        '"' + word + '"');
+    finding.help.push_back({says::json_did_you_mean, {{"suggestion", word}}});
+    finding.fix = write({says::json_fix, {{"replacement", word}}}, *finding.place, '"' + word + '"');
   }
 
   static Fix write(Message title, Place place, std::string text) {
@@ -255,7 +251,7 @@ class MachineFileReader {
       if (axis.name.text.empty()) return true;
       auto const [first, is_new] = axis_names_.try_emplace(axis.name.text, axis.name.place);
       if (is_new) return axis.list.text.empty();
-      Message message{.sentence = says::repeated_axis, .arguments = {{"name", axis.name.text}}};
+      Message message{says::repeated_axis, {{"name", axis.name.text}}};
       relate(add(axis.name.place.span, std::move(message)), first->second);
       return true;
     };
@@ -270,11 +266,11 @@ class MachineFileReader {
     if (axis_names_.contains(name.text)) return true;
     std::vector<std::string_view> known;
     for (auto const& [axis, place] : axis_names_) known.push_back(axis);
-    Message message{.sentence = says::unknown_axis, .arguments = {{"name", name.text}}};
+    Message message{says::unknown_axis, {{"name", name.text}}};
     Finding& finding = add(name.place.span, std::move(message));
     suggest(finding, std::string(schema::closest_word(name.text, known)));
     if (!finding.fix && !known.empty()) {
-      finding.notes.push_back({.sentence = says::known_axes, .arguments = {{"names", joined(known)}}});
+      finding.notes.push_back({says::known_axes, {{"names", joined(known)}}});
     }
     return false;
   }
@@ -283,7 +279,7 @@ class MachineFileReader {
   bool require_new(std::map<std::string, Place>& known, LocatedText const& name, SentenceRef sentence) {
     auto const [first, is_new] = known.try_emplace(name.text, name.place);
     if (is_new) return true;
-    Message message{.sentence = sentence, .arguments = {{"name", name.text}}};
+    Message message{sentence, {{"name", name.text}}};
     relate(add(name.place.span, std::move(message)), first->second);
     return false;
   }
@@ -292,7 +288,7 @@ class MachineFileReader {
   bool follows(LocatedText const& master, LocatedText const& slave) {
     if (master.text.empty()) return true;
     if (slave.text == master.text) {
-      add(slave.place.span, {.sentence = says::own_slave, .arguments = {{"name", slave.text}}});
+      add(slave.place.span, {says::own_slave, {{"name", slave.text}}});
       return false;
     }
     if (!require_new(slaves_, slave, says::repeated_slave)) return false;
@@ -300,8 +296,7 @@ class MachineFileReader {
     for (auto leader = masters_.find(master.text); leader != masters_.end();
          leader = masters_.find(leader->second)) {
       if (leader->second != slave.text) continue;
-      add(slave.place.span,
-          {.sentence = says::circular_gantry, .arguments = {{"name", slave.text}, {"master", master.text}}});
+      add(slave.place.span, {says::circular_gantry, {{"name", slave.text}, {"master", master.text}}});
       return false;
     }
     masters_.emplace(slave.text, master.text);

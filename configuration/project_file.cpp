@@ -91,8 +91,7 @@ class ProjectReader {
       project_.is_of_cnc =
           std::any_of(document_.elements.begin(), document_.elements.end(),
                       [](XmlElement const& element) { return is_for_machine(element.name); });
-      refuse({.begin = text_.text_begin(), .end = text_.text_begin()},
-             {.sentence = says::project_no_list, .arguments = {}});
+      refuse({.begin = text_.text_begin(), .end = text_.text_begin()}, {says::project_no_list});
     }
     return std::move(project_);
   }
@@ -144,9 +143,9 @@ class ProjectReader {
     // Each list next to a name gets a copy.
     if (at->value.size() > longest_text) {
       if (too_long_.insert(at->value.begin).second) {
-        refuse({.begin = at->value.begin, .end = at->value.begin},
-               {.sentence = says::project_long,
-                .arguments = {{"element", std::string(name)}, {"most", std::to_string(longest_text)}}});
+        refuse(
+            {.begin = at->value.begin, .end = at->value.begin},
+            {says::project_long, {{"element", std::string(name)}, {"most", std::to_string(longest_text)}}});
       }
       return std::nullopt;
     }
@@ -172,8 +171,8 @@ class ProjectReader {
     if (element.cdata_sections.size() != 1) {
       if (!is_of_machine(kind) || (!element.text && element.cdata_sections.empty())) return;
       bool const is_split = !element.cdata_sections.empty();
-      refuse(element.name_span, {.sentence = is_split ? says::project_sections : says::project_no_section,
-                                 .arguments = {{"element", std::string(element.name)}}});
+      refuse(element.name_span, {is_split ? says::project_sections : says::project_no_section,
+                                 {{"element", std::string(element.name)}}});
       return;
     }
     refuse_beside(index);
@@ -195,7 +194,7 @@ class ProjectReader {
         index + 1 < document_.elements.size() && document_.elements[index + 1].parent == index;
     if (!element.text && !has_child) return;
     refuse(element.text ? *element.text : document_.elements[index + 1].name_span,
-           {.sentence = says::project_beside, .arguments = {{"element", std::string(element.name)}}});
+           {says::project_beside, {{"element", std::string(element.name)}}});
   }
 
   /// An element of another letter case, or with a prefix, which holds something.
@@ -203,9 +202,8 @@ class ProjectReader {
     bool const is_meant = is_of_machine(meant.kind) && element.name != meant.name &&
                           ascii::equal_ignoring_case(local_name(element.name), meant.name);
     if (!is_meant || (!element.text && element.cdata_sections.empty())) return;
-    refuse(element.name_span,
-           {.sentence = says::xml_spelling,
-            .arguments = {{"written", std::string(element.name)}, {"meant", std::string(meant.name)}}});
+    refuse(element.name_span, {says::xml_spelling,
+                               {{"written", std::string(element.name)}, {"meant", std::string(meant.name)}}});
   }
 
   void read_task(std::size_t index) {

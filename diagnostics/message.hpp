@@ -29,7 +29,7 @@ struct Argument {
 
 struct Message {
   SentenceRef sentence = says::as_given;
-  std::vector<Argument> arguments;
+  std::vector<Argument> arguments = {};
 };
 
 /// Treatment of a sentence's values, which may come from a file; the sentence itself is printable.

@@ -126,7 +126,7 @@ std::string in_code(std::string_view text) {
 }  // namespace
 
 std::string text_of(Words const& words, Language language, ForeignText foreign) {
-  Message message{.sentence = words.sentence, .arguments = {}};
+  Message message{words.sentence};
   for (auto const& [name, value] : words.values) {
     auto const* const wording = std::get_if<Wording>(&value.form());
     auto const how = foreign != nullptr && is_code(words.sentence.in(language), name) ? in_code : foreign;

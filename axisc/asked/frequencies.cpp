@@ -30,14 +30,12 @@ std::vector<double> parse_frequencies(std::string const& text, design::CycleTime
   for (auto const& word : split_list(text)) {
     auto const frequency = parse_finite(word);
     if (!frequency || *frequency < 0 || *frequency > nyquist) {
-      throw Failure({.sentence = says::bad_frequency,
-                     .arguments = {{"value", word}, {"nyquist", exact_number(nyquist)}}});
+      throw Failure({says::bad_frequency, {{"value", word}, {"nyquist", exact_number(nyquist)}}});
     }
     frequencies.push_back(*frequency);
   }
   if (frequencies.empty()) {
-    throw Failure({.sentence = says::bad_frequency,
-                   .arguments = {{"value", text}, {"nyquist", exact_number(nyquist)}}});
+    throw Failure({says::bad_frequency, {{"value", text}, {"nyquist", exact_number(nyquist)}}});
   }
   return frequencies;
 }

@@ -47,13 +47,13 @@ std::optional<double> parse_finite(std::string_view text) {
 double positive_number(std::string const& option, std::string const& word) {
   auto const value = parse_finite(word);
   if (value && *value > 0) return *value;
-  throw Failure({.sentence = says::bad_positive, .arguments = {{"option", option}, {"value", word}}});
+  throw Failure({says::bad_positive, {{"option", option}, {"value", word}}});
 }
 
 std::uint64_t positive_count(std::string const& option, std::string const& word, std::uint64_t most) {
   auto const value = parse_count(word);
   if (value && *value > 0 && *value <= most) return *value;
-  throw Failure({.sentence = says::bad_count, .arguments = {{"option", option}, {"value", word}}});
+  throw Failure({says::bad_count, {{"option", option}, {"value", word}}});
 }
 
 std::optional<std::uint64_t> parse_count(std::string_view text) {

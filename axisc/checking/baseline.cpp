@@ -79,7 +79,7 @@ std::optional<BaselineEntry> entry_of(json_type const& object) {
 
 [[noreturn]] void refuse(std::string const& path, SentenceRef reason, std::vector<Argument> arguments = {}) {
   arguments.push_back({.name = "file", .value = path});
-  throw Failure({.sentence = reason, .arguments = std::move(arguments)}, cannot_read);
+  throw Failure({reason, std::move(arguments)}, cannot_read);
 }
 
 }  // namespace

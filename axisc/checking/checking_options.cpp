@@ -46,8 +46,8 @@ Code parse_code(std::string const& word) {
   }
   std::vector<std::string_view> const known(codes.begin(), codes.end());
   auto const meant = schema::closest_word(word, known);
-  throw Failure({.sentence = meant.empty() ? says::unknown_code : says::unknown_code_meant,
-                 .arguments = {{"code", word}, {"meant", std::string(meant)}}});
+  throw Failure({meant.empty() ? says::unknown_code : says::unknown_code_meant,
+                 {{"code", word}, {"meant", std::string(meant)}}});
 }
 
 machine::AxisType parse_axis_type(std::string const& word) {
@@ -55,16 +55,14 @@ machine::AxisType parse_axis_type(std::string const& word) {
   if (letter == "T") return machine::AxisType::translatory;
   if (letter == "R") return machine::AxisType::rotary;
   if (letter == "S") return machine::AxisType::spindle;
-  throw Failure({.sentence = says::bad_choice,
-                 .arguments = {{"option", "--axis-type"}, {"value", word}, {"choices", "T, R, S"}}});
+  throw Failure({says::bad_choice, {{"option", "--axis-type"}, {"value", word}, {"choices", "T, R, S"}}});
 }
 
 schema::ListKind parse_kind(std::string const& word) {
   if (auto const kind = schema::find_list_kind(&schema::ListKindRow::word, word)) return *kind;
   std::string words;
   for (auto const& row : schema::list_kind_rows) words.append(words.empty() ? "" : ", ").append(row.word);
-  throw Failure({.sentence = says::bad_choice,
-                 .arguments = {{"option", "--kind"}, {"value", word}, {"choices", words}}});
+  throw Failure({says::bad_choice, {{"option", "--kind"}, {"value", word}, {"choices", words}}});
 }
 
 }  // namespace
@@ -72,15 +70,15 @@ schema::ListKind parse_kind(std::string const& word) {
 std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word) {
   if (!word) return std::nullopt;
   auto const time = parse_cycle_time(*word);
-  if (!time) throw Failure({.sentence = says::bad_cycle_time, .arguments = {{"value", *word}}});
+  if (!time) throw Failure({says::bad_cycle_time, {{"value", *word}}});
   if (*time >= design::shortest_cycle_time && *time <= design::longest_cycle_time) return time;
   // A bare number was meant in milliseconds.
   auto const meant = parse_cycle_time(*word + "ms");
   bool const possible =
       meant && *meant >= design::shortest_cycle_time && *meant <= design::longest_cycle_time;
-  throw Failure({.sentence = says::unusual_cycle_time,
-                 .arguments = {{"time", exact_number(time->microseconds()) + " µs"},
-                               {"meant", possible ? *word + "ms" : "1ms"}}});
+  throw Failure(
+      {says::unusual_cycle_time,
+       {{"time", exact_number(time->microseconds()) + " µs"}, {"meant", possible ? *word + "ms" : "1ms"}}});
 }
 
 Overrides overrides_with(std::optional<std::string> const& cycle_time,
@@ -98,7 +96,7 @@ validator::CheckOptions check_options(CheckingOptions const& given) {
   if (given.kind) options.kind = parse_kind(*given.kind);
   if (given.build) {
     options.build = validator::parse_build_version(*given.build);
-    if (!options.build) throw Failure({.sentence = says::bad_build, .arguments = {{"value", *given.build}}});
+    if (!options.build) throw Failure({says::bad_build, {{"value", *given.build}}});
   }
   for (auto const& list : given.disabled) {
     for (auto const& word : split_list(list)) options.disabled.push_back(parse_code(word));
@@ -110,7 +108,7 @@ std::optional<unsigned> asked_threads(std::optional<std::string> const& threads)
   if (!threads) return std::nullopt;
   auto const count = parse_count(*threads);
   if (!count || *count == 0 || *count > most_threads) {
-    throw Failure({.sentence = says::bad_count, .arguments = {{"option", "-j"}, {"value", *threads}}});
+    throw Failure({says::bad_count, {{"option", "-j"}, {"value", *threads}}});
   }
   return static_cast<unsigned>(*count);
 }

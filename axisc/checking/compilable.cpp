@@ -62,30 +62,28 @@ std::optional<SentenceRef> sentence_of(validator::Obstacle obstacle) {
 
 void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
   bool const is_machine = ascii::has_extension(input, ".json");
-  if (result.is_other_list) throw Failure({.sentence = says::other_list, .arguments = {{"file", input}}});
+  if (result.is_other_list) throw Failure({says::other_list, {{"file", input}}});
   // Findings about the machine come first: the cycle time may be part of it.
   bool const lacks_more =
       result.obstacle == validator::Obstacle::incomplete || (is_machine && !result.machine);
   if (result.cycle_time_known || lacks_more) return;
-  throw Failure({.sentence = is_machine ? says::machine_cycle_time_missing : says::cycle_time_missing,
-                 .arguments = {{"file", input}}});
+  throw Failure(
+      {is_machine ? says::machine_cycle_time_missing : says::cycle_time_missing, {{"file", input}}});
 }
 
 std::optional<Failure> refusal(std::string const& input, validator::CheckResult const& result,
                                SourceSet const& sources, Language language) {
-  auto const said = [&input](SentenceRef sentence) {
-    return Failure({.sentence = sentence, .arguments = {{"file", input}}});
-  };
+  auto const said = [&input](SentenceRef sentence) { return Failure({sentence, {{"file", input}}}); };
   if (result.is_other_list) return said(says::other_list);
   if (ascii::has_extension(input, ".nc")) return said(says::nc_program);
   if (auto const sentence = sentence_of(result.obstacle)) return said(*sentence);
   if (result.not_compiled.empty()) return std::nullopt;
   auto const& first = result.not_compiled.front();
   auto const& source = sources[first.place.source];
-  return Failure({.sentence = says::not_compiled,
-                  .arguments = {{"place", source.name() + ":" +
-                                              std::to_string(source.position(first.place.span.begin).line)},
-                                {"feature", render(first.feature, language)}}});
+  return Failure(
+      {says::not_compiled,
+       {{"place", source.name() + ":" + std::to_string(source.position(first.place.span.begin).line)},
+        {"feature", render(first.feature, language)}}});
 }
 
 void require_machine(std::string const& input, validator::CheckResult const& result, SourceSet const& sources,

@@ -32,10 +32,9 @@ CompiledImage image_of(machine::Machine const& machine, CompileJob const& job, s
   auto const bytes = codegen::write_image(machine, job.image, job.designs);
   codegen::AlignedBytes const aligned(bytes);
   if (auto const status = axisrt_verify(aligned.data(), aligned.size()); status != AXISRT_OK) {
-    throw Failure({.sentence = says::refused_image,
-                   .arguments = {{"file", path},
-                                 {"status", axisrt_status_name(status)},
-                                 {"reason", axisrt_status_text(status)}}});
+    throw Failure(
+        {says::refused_image,
+         {{"file", path}, {"status", axisrt_status_name(status)}, {"reason", axisrt_status_text(status)}}});
   }
   image.bytes.assign(reinterpret_cast<char const*>(bytes.data()), bytes.size());
   return image;

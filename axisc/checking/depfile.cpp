@@ -18,8 +18,7 @@ namespace {
 
 std::string escaped(std::string_view name) {
   if (name.find_first_of("\r\n") != std::string_view::npos) {
-    throw Failure({.sentence = says::line_break_in_name, .arguments = {{"file", std::string(name)}}},
-                  cannot_write);
+    throw Failure({says::line_break_in_name, {{"file", std::string(name)}}}, cannot_write);
   }
   std::string result;
   for (char const character : name) {

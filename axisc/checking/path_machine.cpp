@@ -93,10 +93,10 @@ ImageFile image_of(machine::Machine const& machine, std::string const& path) {
 motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup const& group,
                                    std::string const& path) {
   if (group.axes.size() > motion::most_axes) {
-    throw Failure({.sentence = says::too_many_axes,
-                   .arguments = {{"group", group.name},
-                                 {"axes", std::to_string(group.axes.size())},
-                                 {"limit", std::to_string(motion::most_axes)}}});
+    throw Failure({says::too_many_axes,
+                   {{"group", group.name},
+                    {"axes", std::to_string(group.axes.size())},
+                    {"limit", std::to_string(motion::most_axes)}}});
   }
   auto runtime = motion::GroupRuntime::create(image.bytes.bytes(), image.contents, group.axes);
   if (auto const* const status = std::get_if<axisrt_status>(&runtime)) throw unusable_image(path, *status);
@@ -113,9 +113,9 @@ std::size_t chosen_group(machine::Machine const& machine, std::optional<std::str
     known += (known.empty() ? "" : ", ") + group.name;
   }
   if (!name || known.empty()) {
-    throw Failure({.sentence = says::no_path_axes, .arguments = {{"file", path}}});
+    throw Failure({says::no_path_axes, {{"file", path}}});
   }
-  throw Failure({.sentence = says::unknown_group, .arguments = {{"group", *name}, {"groups", known}}});
+  throw Failure({says::unknown_group, {{"group", *name}, {"groups", known}}});
 }
 
 machine::FilterCommand read_filter_command(machine::Machine const& machine,
@@ -125,7 +125,7 @@ machine::FilterCommand read_filter_command(machine::Machine const& machine,
   if (checked.command && checked.mistakes.empty()) return *checked.command;
   auto const reason =
       checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
-  throw Failure({.sentence = says::not_a_command, .arguments = {{"value", text}, {"reason", reason}}});
+  throw Failure({says::not_a_command, {{"value", text}, {"reason", reason}}});
 }
 
 motion::FilterCommandReader filter_command_reader(machine::Machine const& machine,

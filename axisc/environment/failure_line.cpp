@@ -29,12 +29,11 @@ std::string failure_line(Language language) {
   } catch (Failure const& failure) {
     return failure.line(language);
   } catch (configuration::SourceChanged const& changed) {
-    return Failure({.sentence = says::changed, .arguments = {{"file", changed.path()}}}, cannot_read)
-        .line(language);
+    return Failure({says::changed, {{"file", changed.path()}}}, cannot_read).line(language);
   } catch (std::bad_alloc const&) {
-    return Failure({.sentence = says::no_memory, .arguments = {}}).line(language);
+    return Failure({says::no_memory}).line(language);
   } catch (std::exception const& error) {
-    return Failure({.sentence = says::unexpected, .arguments = {{"reason", error.what()}}}).line(language);
+    return Failure({says::unexpected, {{"reason", error.what()}}}).line(language);
   }
 }
 

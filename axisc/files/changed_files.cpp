@@ -63,12 +63,11 @@ class Git {
     arguments.insert(arguments.end(), words.begin(), words.end());
     auto result = system::run_program(arguments);
     if (auto const* const error = std::get_if<system::Error>(&result)) {
-      throw Failure({.sentence = says::no_git, .arguments = {{"reason", system::text_of(*error)}}});
+      throw Failure({says::no_git, {{"reason", system::text_of(*error)}}});
     }
     auto& outcome = std::get<system::ProgramOutcome>(result);
     if (outcome.status == 0) return std::move(outcome.output);
-    throw Failure({.sentence = says::git_refuses,
-                   .arguments = {{"revision", revision_}, {"reason", reason_of(outcome)}}});
+    throw Failure({says::git_refuses, {{"revision", revision_}, {"reason", reason_of(outcome)}}});
   }
 
  private:
@@ -81,13 +80,13 @@ class Git {
 ChangedFiles changed_since(std::string const& revision) {
   // Git would take a revision that begins with a dash for an option.
   if (revision.empty() || revision.starts_with('-')) {
-    throw Failure({.sentence = says::no_revision, .arguments = {{"revision", revision}}});
+    throw Failure({says::no_revision, {{"revision", revision}}});
   }
   std::error_code error;
   auto const folder = std::filesystem::current_path(error);
   auto const root = repository_of(folder);
   if (!root) {
-    throw Failure({.sentence = says::no_repository, .arguments = {{"folder", system::name_of(folder)}}});
+    throw Failure({says::no_repository, {{"folder", system::name_of(folder)}}});
   }
   ChangedFiles changed{.root = system::name_of(*root), .paths = {}, .gone = {}};
   Git const git(changed.root, revision);

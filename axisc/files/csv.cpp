@@ -76,7 +76,7 @@ std::string without_doubled_quotes(std::string_view text) {
 [[noreturn]] void fail(SentenceRef text, CsvPlace const& place, std::vector<Argument> arguments = {}) {
   arguments.push_back(
       {"place", place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)});
-  throw Failure({.sentence = text, .arguments = std::move(arguments)}, csv_malformed);
+  throw Failure({text, std::move(arguments)}, csv_malformed);
 }
 
 }  // namespace

@@ -225,16 +225,13 @@ bool DiskFiles::is_same(std::string const& one, std::string const& other) {
 
 Failure unreadable(std::string const& path, FileError error) {
   bool const large = error == FileError::too_large || error == FileError::line_too_long;
-  return Failure({.sentence = sentence(error), .arguments = {{"file", path}}},
-                 large ? too_large : cannot_read);
+  return Failure({sentence(error), {{"file", path}}}, large ? too_large : cannot_read);
 }
 
 Failure unreadable(std::string const& path, system::Error const& error) {
   auto const known = error_of(error);
   if (known != FileError::not_readable) return unreadable(path, known);
-  return Failure(
-      {.sentence = says::cannot_read, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
-      cannot_read);
+  return Failure({says::cannot_read, {{"file", path}, {"reason", system::text_of(error)}}}, cannot_read);
 }
 
 std::string read_whole(std::string const& path, Dash dash) {

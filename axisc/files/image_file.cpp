@@ -68,11 +68,10 @@ SentenceRef sentence(axisrt_status status) {
 }  // namespace
 
 Failure unusable_image(std::string const& path, axisrt_status status) {
-  return Failure({.sentence = sentence(status),
-                  .arguments = {{"file", path},
-                                {"status", axisrt_status_name(status)},
-                                {"reason", axisrt_status_text(status)}}},
-                 not_an_image);
+  return Failure(
+      {sentence(status),
+       {{"file", path}, {"status", axisrt_status_name(status)}, {"reason", axisrt_status_text(status)}}},
+      not_an_image);
 }
 
 ImageFile load_image(std::string const& path) {
@@ -98,8 +97,8 @@ Failure unknown_axis(std::string const& name, std::vector<std::string> const& la
   if (meant.empty()) {
     meant = schema::closest_word(name, std::vector<std::string_view>(labels.begin(), labels.end()));
   }
-  return Failure({.sentence = meant.empty() ? says::unknown_axis : says::unknown_axis_meant,
-                  .arguments = {{"axis", name}, {"axes", known}, {"meant", meant}}});
+  return Failure({meant.empty() ? says::unknown_axis : says::unknown_axis_meant,
+                  {{"axis", name}, {"axes", known}, {"meant", meant}}});
 }
 
 std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
@@ -138,16 +137,14 @@ std::uint32_t level_of(std::optional<std::string> const& word) {
   for (auto const& [name, level] : levels) {
     if (*word == name) return level;
   }
-  throw Failure(
-      {.sentence = says::bad_choice,
-       .arguments = {
-           {"option", "--level"}, {"value", *word}, {"choices", "portable, auto, v2, v3, v4, neon"}}});
+  throw Failure({says::bad_choice,
+                 {{"option", "--level"}, {"value", *word}, {"choices", "portable, auto, v2, v3, v4, neon"}}});
 }
 
 image::RuntimeHost start_runtime(std::string const& path, ImageFile const& file, std::uint32_t level) {
   auto host = image::RuntimeHost::create(file.bytes.bytes(), std::nullopt, level);
   if (auto const* const status = std::get_if<axisrt_status>(&host)) {
-    if (*status == AXISRT_NO_LEVEL) throw Failure({.sentence = says::no_level, .arguments = {}});
+    if (*status == AXISRT_NO_LEVEL) throw Failure({says::no_level});
     throw unusable_image(path, *status);
   }
   return std::get<image::RuntimeHost>(std::move(host));

@@ -41,11 +41,9 @@ constexpr std::size_t longest_key_file = 256;
 
 [[noreturn]] void refuse_to_write(std::string const& path, system::Error const& error) {
   if (error.refusal == system::Refusal::exists) {
-    throw Failure({.sentence = says::cannot_write_key_exists, .arguments = {{"file", path}}}, cannot_write);
+    throw Failure({says::cannot_write_key_exists, {{"file", path}}}, cannot_write);
   }
-  throw Failure(
-      {.sentence = says::cannot_write, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
-      cannot_write);
+  throw Failure({says::cannot_write, {{"file", path}, {"reason", system::text_of(error)}}}, cannot_write);
 }
 
 /// A file that gets its name when it is complete. Without a name it is removed again, also when the program
@@ -145,12 +143,12 @@ image::SecretKey load_secret_key(std::string const& path) {
   KeyText const text(file);
   auto key = image::read_secret_key(text.text());
   if (!key) {
-    throw Failure({.sentence = says::cannot_read_no_secret_key, .arguments = {{"file", path}}}, cannot_read);
+    throw Failure({says::cannot_read_no_secret_key, {{"file", path}}}, cannot_read);
   }
   auto const status = file.status();
   auto const* const facts = std::get_if<system::FileStatus>(&status);
   if (facts == nullptr || (facts->permissions & others) != 0) {
-    throw Failure({.sentence = says::cannot_read_secret_shared, .arguments = {{"file", path}}}, cannot_read);
+    throw Failure({says::cannot_read_secret_shared, {{"file", path}}}, cannot_read);
   }
   return std::move(*key);
 }
@@ -160,7 +158,7 @@ image::PublicKey load_public_key(std::string const& path) {
   KeyText const text(file);
   auto const key = image::read_public_key(text.text());
   if (!key) {
-    throw Failure({.sentence = says::cannot_read_no_public_key, .arguments = {{"file", path}}}, cannot_read);
+    throw Failure({says::cannot_read_no_public_key, {{"file", path}}}, cannot_read);
   }
   return *key;
 }

@@ -115,8 +115,7 @@ void OutputFile::open_beside(system::FileStatus const* old) {
 }
 
 void OutputFile::fail(system::Error const& error) const {
-  throw Failure({.sentence = sentence(error.refusal),
-                 .arguments = {{"file", path_}, {"reason", system::text_of(error)}}},
+  throw Failure({sentence(error.refusal), {{"file", path_}, {"reason", system::text_of(error)}}},
                 cannot_write);
 }
 
@@ -144,7 +143,7 @@ void OutputFile::finish(std::string_view const* before) {
   require(file_.sync());
   require(file_.close());
   if (before != nullptr && !is_content_of(target_, *before)) {
-    throw Failure({.sentence = says::changed, .arguments = {{"file", path_}}}, cannot_write);
+    throw Failure({says::changed, {{"file", path_}}}, cannot_write);
   }
   require(system::replace(temporary_.path, target_));
   temporary_.interruption.reset();

@@ -44,7 +44,7 @@ class FileIdentities {
 };
 
 [[noreturn]] void refuse(SentenceRef text, std::string const& file, std::string const& other = {}) {
-  throw Failure({.sentence = text, .arguments = {{"file", file}, {"other", other}}}, cannot_write);
+  throw Failure({text, {{"file", file}, {"other", other}}}, cannot_write);
 }
 
 }  // namespace

@@ -23,8 +23,7 @@ RecordedColumns read_recorded_columns(std::string const& name, recordings::ByteS
   auto const choose = [&wanted](ColumnNames const& columns) {
     auto const values = columns.values();
     if ((!wanted.input || !wanted.output) && values.size() != 2) {
-      throw Failure({.sentence = says::which_columns,
-                     .arguments = {{"file", columns.file}, {"known", columns.known()}}},
+      throw Failure({says::which_columns, {{"file", columns.file}, {"known", columns.known()}}},
                     csv_malformed);
     }
     return std::vector{wanted.input ? columns.index_of(*wanted.input) : values[0],

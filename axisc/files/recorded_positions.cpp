@@ -38,8 +38,8 @@ RecordedPositions read_recorded_positions(std::string const& file, recordings::B
                                           design::CycleTime cycle_time) {
   for (auto const& each : named) {
     if (std::find(axes.begin(), axes.end(), each.axis) != axes.end()) continue;
-    throw Failure({.sentence = says::foreign_axis,
-                   .arguments = {{"axis", each.axis}, {"column", each.column}, {"axes", listed(axes)}}});
+    throw Failure(
+        {says::foreign_axis, {{"axis", each.axis}, {"column", each.column}, {"axes", listed(axes)}}});
   }
   RecordedPositions found;
   auto const choose = [&](ColumnNames const& columns) {
@@ -61,9 +61,9 @@ RecordedPositions read_recorded_positions(std::string const& file, recordings::B
       }
     }
     if (chosen.empty()) {
-      throw Failure({.sentence = says::no_axis_column,
-                     .arguments = {{"file", file}, {"axes", listed(axes)}, {"known", columns.known()}}},
-                    csv_malformed);
+      throw Failure(
+          {says::no_axis_column, {{"file", file}, {"axes", listed(axes)}, {"known", columns.known()}}},
+          csv_malformed);
     }
     return chosen;
   };

@@ -54,7 +54,7 @@ struct File {
   [[noreturn]] void fail(SentenceRef sentence, std::vector<Argument> arguments = {}) const {
     arguments.push_back({"file", name});
     arguments.push_back({"line", std::to_string(rows.line())});
-    throw Failure({.sentence = sentence, .arguments = std::move(arguments)}, csv_malformed);
+    throw Failure({sentence, std::move(arguments)}, csv_malformed);
   }
 };
 
@@ -123,9 +123,7 @@ std::size_t ColumnNames::index_of(std::string const& wanted) const {
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   auto const number = parse_count(wanted);
   if (number && *number >= 1 && *number <= names.size()) return static_cast<std::size_t>(*number - 1);
-  throw Failure(
-      {.sentence = says::no_column, .arguments = {{"file", file}, {"column", wanted}, {"known", known()}}},
-      csv_malformed);
+  throw Failure({says::no_column, {{"file", file}, {"column", wanted}, {"known", known()}}}, csv_malformed);
 }
 
 std::vector<std::size_t> ColumnNames::values() const {

@@ -55,13 +55,13 @@ std::string shown_column(std::string_view name) {
 void fail_row(recordings::NumberRows const& rows, std::string const& file) {
   auto const& bad = *rows.problem();
   std::string const column = bad.column < rows.names().size() ? shown_column(rows.names()[bad.column]) : "";
-  throw Failure({.sentence = sentence_of(bad.problem),
-                 .arguments = {{"file", file},
-                               {"line", std::to_string(bad.line)},
-                               {"text", bad.text},
-                               {"column", column},
-                               {"fields", std::to_string(bad.fields)},
-                               {"columns", std::to_string(rows.names().size())}}},
+  throw Failure({sentence_of(bad.problem),
+                 {{"file", file},
+                  {"line", std::to_string(bad.line)},
+                  {"text", bad.text},
+                  {"column", column},
+                  {"fields", std::to_string(bad.fields)},
+                  {"columns", std::to_string(rows.names().size())}}},
                 csv_malformed);
 }
 

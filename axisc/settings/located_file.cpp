@@ -16,16 +16,14 @@ namespace {
 std::vector<Message> sentences_of(configuration::JsonProblem const& problem) {
   std::vector<Message> sentences{problem.message};
   if (!problem.suggestion.empty()) {
-    sentences.push_back({.sentence = axisc::configuration::says::json_did_you_mean,
-                         .arguments = {{"suggestion", problem.suggestion}}});
+    sentences.push_back(
+        {axisc::configuration::says::json_did_you_mean, {{"suggestion", problem.suggestion}}});
   }
   if (!problem.number.empty()) {
-    sentences.push_back({.sentence = axisc::configuration::says::json_write_number,
-                         .arguments = {{"replacement", problem.number}}});
+    sentences.push_back({axisc::configuration::says::json_write_number, {{"replacement", problem.number}}});
   }
   if (!problem.known_keys.empty()) {
-    sentences.push_back({.sentence = axisc::configuration::says::json_known_keys,
-                         .arguments = {{"keys", problem.known_keys}}});
+    sentences.push_back({axisc::configuration::says::json_known_keys, {{"keys", problem.known_keys}}});
   }
   return sentences;
 }
@@ -37,7 +35,7 @@ LocatedFile::LocatedFile(std::string path, configuration::JsonShape const& shape
     : path_(std::move(path)), shape_(shape), code_(code), source_(path_, read_regular(path_)) {
   auto parsed = configuration::parse_json(source_.bytes(), source_.text_begin());
   if (auto const* const error = std::get_if<configuration::JsonError>(&parsed)) {
-    std::vector<Message> sentences{{.sentence = malformed, .arguments = {}}};
+    std::vector<Message> sentences{{malformed}};
     if (error->reason) sentences.push_back(*error->reason);
     refuse(error->span, std::move(sentences));
   }
@@ -59,7 +57,7 @@ void LocatedFile::fill(configuration::JsonShape const& shape, configuration::Jso
 }
 
 void LocatedFile::refuse(Span span, SentenceRef what, std::vector<Argument> arguments) const {
-  refuse(span, {Message{.sentence = what, .arguments = std::move(arguments)}});
+  refuse(span, {Message{what, std::move(arguments)}});
 }
 
 void LocatedFile::refuse(Span span, std::vector<Message> sentences) const {

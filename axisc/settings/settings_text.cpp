@@ -19,7 +19,7 @@ namespace axisc {
 namespace {
 
 std::string say(SentenceRef text, Language language) {
-  return render({.sentence = text, .arguments = {}}, language);
+  return render({text}, language);
 }
 
 std::string joined(std::vector<Code> const& codes) {

@@ -46,7 +46,7 @@ class Changes {
   [[nodiscard]] bool concern(std::string const& input) {
     auto const own = place_of(input);
     if (!own) {
-      throw Failure({.sentence = says::outside, .arguments = {{"file", input}, {"root", changed_.root}}});
+      throw Failure({says::outside, {{"file", input}, {"root", changed_.root}}});
     }
     return is_changed(input) || settings_changed(input, *own) || parts_changed(input, *own);
   }

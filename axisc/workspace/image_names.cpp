@@ -43,17 +43,16 @@ std::vector<std::string> image_names(std::vector<std::string> const& inputs, std
   std::vector<std::string> names;
   std::unordered_map<std::string, std::string> taken;
   for (auto const& input : inputs) {
-    if (input == "-") throw Failure({.sentence = says::no_image_name, .arguments = {}});
+    if (input == "-") throw Failure({says::no_image_name});
     auto below = absolute(input).lexically_relative(folder);
     if (below.empty() || *below.begin() == "..") {
-      throw Failure({.sentence = says::outside_input_folder,
-                     .arguments = {{"file", input}, {"folder", system::name_of(folder)}}});
+      throw Failure({says::outside_input_folder, {{"file", input}, {"folder", system::name_of(folder)}}});
     }
     names.push_back(system::name_of(system::path_of(output_folder) / below.replace_extension(".axim")));
     auto const [first, is_new] = taken.emplace(names.back(), input);
     if (is_new) continue;
-    throw Failure({.sentence = says::output_collision,
-                   .arguments = {{"first", first->second}, {"second", input}, {"file", names.back()}}});
+    throw Failure(
+        {says::output_collision, {{"first", first->second}, {"second", input}, {"file", names.back()}}});
   }
   return names;
 }

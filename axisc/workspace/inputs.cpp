@@ -105,8 +105,7 @@ class Expansion {
       add_folder(input.path);
     } else if (!kind && !input.place.empty()) {
       failures_.push_back(
-          Failure({.sentence = says::listed, .arguments = {{"file", input.path}, {"place", input.place}}},
-                  cannot_read));
+          Failure({says::listed, {{"file", input.path}, {"place", input.place}}}, cannot_read));
     } else {
       Found file{.path = input.path, .is_link = is_link, .outline = outline_of(input.path)};
       bool const is_chosen = named_files_ != NamedFiles::of_hook || wanted_(input.path);
@@ -209,8 +208,7 @@ class Expansion {
     });
     bool const is_empty = entries.empty() || !all_excluded;
     if (found_.size() == before && failures_.size() == failures && is_empty) {
-      failures_.push_back(
-          Failure({.sentence = says::folder_empty, .arguments = {{"folder", folder}}}, cannot_read));
+      failures_.push_back(Failure({says::folder_empty, {{"folder", folder}}}, cannot_read));
     }
   }
 
@@ -261,9 +259,7 @@ class Expansion {
     return !inside || !target || (*target != *inside && !target->starts_with(*inside + "/"));
   }
 
-  void note(SentenceRef sentence, std::string const& path) {
-    notes_.push_back({.sentence = sentence, .arguments = {{"file", path}}});
-  }
+  void note(SentenceRef sentence, std::string const& path) { notes_.push_back({sentence, {{"file", path}}}); }
 
   /// False where the last part of the name is not a pattern, or nothing matches it.
   bool add_matching(std::string const& pattern) {
@@ -285,8 +281,8 @@ class Expansion {
 
   void fail(std::string const& folder, system::Error const& error) {
     bool const is_denied = error.refusal == system::Refusal::no_permission;
-    failures_.push_back(Failure({.sentence = is_denied ? says::folder_no_permission : says::folder,
-                                 .arguments = {{"folder", folder}, {"reason", system::text_of(error)}}},
+    failures_.push_back(Failure({is_denied ? says::folder_no_permission : says::folder,
+                                 {{"folder", folder}, {"reason", system::text_of(error)}}},
                                 cannot_read));
   }
 
@@ -330,12 +326,11 @@ std::string machine_input(std::string const& name) {
   std::erase_if(inputs.paths, [](std::string const& path) { return !outline_of(path).is_machine; });
   if (inputs.paths.size() == 1) return inputs.paths.front();
   if (inputs.paths.empty()) {
-    throw Failure({.sentence = says::no_machine, .arguments = {{"folder", name}}}, cannot_read);
+    throw Failure({says::no_machine, {{"folder", name}}}, cannot_read);
   }
   std::string machines;
   for (auto const& path : inputs.paths) machines += (machines.empty() ? "" : ", ") + path;
-  throw Failure(
-      {.sentence = says::several_machines, .arguments = {{"folder", name}, {"machines", machines}}});
+  throw Failure({says::several_machines, {{"folder", name}, {"machines", machines}}});
 }
 
 }  // namespace axisc

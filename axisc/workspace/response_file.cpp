@@ -41,12 +41,11 @@ std::string without_quotes(std::string_view name) {
 
 void add_path(std::vector<NamedInput>& inputs, std::string name, std::string place) {
   if (name.starts_with('@')) {
-    throw Failure(
-        {.sentence = says::nested, .arguments = {{"place", std::move(place)}, {"name", std::move(name)}}});
+    throw Failure({says::nested, {{"place", std::move(place)}, {"name", std::move(name)}}});
   }
   if (name.size() >= PATH_MAX) {
-    throw Failure({.sentence = says::response_long,
-                   .arguments = {{"place", std::move(place)}, {"length", std::to_string(name.size())}}});
+    throw Failure(
+        {says::response_long, {{"place", std::move(place)}, {"length", std::to_string(name.size())}}});
   }
   inputs.push_back({.path = std::move(name), .place = std::move(place)});
 }
@@ -66,7 +65,7 @@ void read_response_file(std::string const& file, std::vector<NamedInput>& inputs
     add_path(inputs, has_nul ? std::string(name) : without_quotes(name), file + ":" + std::to_string(number));
   }
   if (inputs.size() == before) {
-    throw Failure({.sentence = says::empty, .arguments = {{"file", file}}});
+    throw Failure({says::empty, {{"file", file}}});
   }
 }
 

@@ -98,7 +98,7 @@ ExitStatus emit_settings(comparison::Comparison const& result, design::Readings 
   auto const tell = printed_notes(invocation);
   for (auto const& open : comparison::open_settings(result)) tell(left_open(open));
   if (!settings) {
-    tell({.sentence = says::no_settings, .arguments = {}});
+    tell({says::no_settings});
     return ExitStatus::findings;
   }
   invocation.streams.out.write(design_settings(settings->readings));
@@ -121,8 +121,8 @@ MotionOptions motion_options(CompareOptions const& options) {
 
 ExitStatus compare_filters(CompareOptions const& options, Invocation const& invocation,
                            CommandLine const& command_line) {
-  if (options.columns.size() > 1) throw Failure({.sentence = says::one_setpoint_column, .arguments = {}});
-  if (options.group) throw Failure({.sentence = says::group_of_program, .arguments = {}});
+  if (options.columns.size() > 1) throw Failure({says::one_setpoint_column});
+  if (options.group) throw Failure({says::group_of_program});
   WantedColumns columns{.input = {}, .output = options.output};
   if (!options.columns.empty()) columns.input = options.columns.front();
   Workspace workspace(overrides_with(options.cycle_time));
@@ -155,7 +155,7 @@ ExitStatus compare(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
   if (options.emitted == Emitted::program) {
-    if (options.recording) throw Failure({.sentence = says::not_recorded_yet, .arguments = {}});
+    if (options.recording) throw Failure({says::not_recorded_yet});
     return emit_program(motion_options(options), invocation, command_line);
   }
   command_line.require(options.recording.has_value(), "RECORDING.csv");

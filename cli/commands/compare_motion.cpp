@@ -30,7 +30,7 @@ std::vector<AxisColumn> axis_columns(std::vector<std::string> const& texts) {
   for (auto const& text : texts) {
     auto const sign = text.find('=');
     if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
-      throw Failure({.sentence = says::column_of_axis, .arguments = {{"text", text}}});
+      throw Failure({says::column_of_axis, {{"text", text}}});
     }
     columns.push_back({.axis = text.substr(0, sign), .column = text.substr(sign + 1)});
   }
@@ -58,7 +58,7 @@ ExitStatus emit_motion(comparison::MotionComparison const& result, Invocation co
   for (auto const& message : open) tell(message);
   auto const settings = motion_settings(result);
   if (!settings) {
-    tell({.sentence = says::no_motion_settings, .arguments = {}});
+    tell({says::no_motion_settings});
     return ExitStatus::findings;
   }
   invocation.streams.out.write(*settings);

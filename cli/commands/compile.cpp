@@ -37,11 +37,11 @@ namespace axisc::cli {
 namespace {
 
 std::string summary(WrittenImage const& image, std::string const& path, Language language) {
-  return render({.sentence = image.fate == ImageFate::written ? says::compiled : says::unchanged,
-                 .arguments = {{"file", path},
-                               {"axes", std::to_string(image.axes)},
-                               {"filters", std::to_string(image.filters)},
-                               {"bytes", std::to_string(image.bytes)}}},
+  return render({image.fate == ImageFate::written ? says::compiled : says::unchanged,
+                 {{"file", path},
+                  {"axes", std::to_string(image.axes)},
+                  {"filters", std::to_string(image.filters)},
+                  {"bytes", std::to_string(image.bytes)}}},
                 language) +
          "\n";
 }
@@ -124,7 +124,7 @@ class Compile {
                                fates_[static_cast<std::size_t>(ImageFate::missing)] >
                            0;
     if (!options_.is_batch() || has_image || failed_) return;
-    fail(report, Failure({.sentence = says::no_image, .arguments = {}}));
+    fail(report, Failure({says::no_image}));
   }
 
   void compile_all(ReportStream& report) {
@@ -185,10 +185,10 @@ class Compile {
       auto const number = [this](ImageFate fate) {
         return std::to_string(fates_[static_cast<std::size_t>(fate)]);
       };
-      summary_ = render({.sentence = says::batch_done,
-                         .arguments = {{"written", number(ImageFate::written)},
-                                       {"unchanged", number(ImageFate::unchanged)},
-                                       {"missing", number(ImageFate::missing)}}},
+      summary_ = render({says::batch_done,
+                         {{"written", number(ImageFate::written)},
+                          {"unchanged", number(ImageFate::unchanged)},
+                          {"missing", number(ImageFate::missing)}}},
                         job_.language) +
                  "\n";
     }

@@ -90,8 +90,8 @@ void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& aft
   for (auto const& was : before.axes) {
     auto const same = read_after.find(identities.of(was.path));
     if (same == read_after.end()) continue;
-    invocation.streams.err.write(warning_line(
-        {.sentence = says::same_list, .arguments = {{"list", same->second}}}, invocation.language));
+    invocation.streams.err.write(
+        warning_line({says::same_list, {{"list", same->second}}}, invocation.language));
     return;
   }
 }
@@ -126,10 +126,10 @@ MachineDifference compare(DiffOptions const& options, Sides const& sides) {
 void require_two_sides(CommandLine const& command_line, DiffOptions const& options) {
   command_line.require(!options.inputs.empty(), "OLD NEW");
   if (options.inputs.size() > 2 || options.axes.size() > 2) {
-    throw Failure({.sentence = says::too_many, .arguments = {}});
+    throw Failure({says::too_many});
   }
   if (options.inputs.size() == 1 && options.axes.size() != 2) {
-    throw Failure({.sentence = says::one_input, .arguments = {{"input", options.inputs.front()}}});
+    throw Failure({says::one_input, {{"input", options.inputs.front()}}});
   }
 }
 

@@ -89,7 +89,7 @@ void require_changeable(std::string const& path, ChangeableFiles const& changeab
   if (path == "-" || changeable.contains(path)) return;
   // A missing file is reported when it is read.
   if (!system::kind_of(path)) return;
-  throw Failure({.sentence = says::elsewhere, .arguments = {{"file", path}}}, cannot_write);
+  throw Failure({says::elsewhere, {{"file", path}}}, cannot_write);
 }
 
 std::string read_list(std::string const& path) {
@@ -123,7 +123,7 @@ std::string aligned_project(std::string const& name, std::string const& before,
     auto const aligned = validator::aligned_list(
         SourceText(name, before.substr(list.span.begin, list.span.size())), catalogue);
     if (aligned.find("]]>") != std::string::npos) {
-      throw Failure({.sentence = says::ends_section, .arguments = {{"file", name}}}, cannot_write);
+      throw Failure({says::ends_section, {{"file", name}}}, cannot_write);
     }
     after.append(before, copied, list.span.begin - copied).append(aligned);
     copied = list.span.end;
@@ -163,7 +163,7 @@ Formatted format_list(std::string const& path, std::string const& name, FmtOptio
   result.changed = true;
   if (options.diff) result.out += unified_diff(name, before, after);
   if (options.check && !options.diff) {
-    result.out += render({.sentence = says::would_change, .arguments = {{"file", name}}}, language) + "\n";
+    result.out += render({says::would_change, {{"file", name}}}, language) + "\n";
   }
   if (path != "-" && !options.check && !options.diff) {
     replace_content(path, before, after);

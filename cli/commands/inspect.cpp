@@ -50,13 +50,13 @@ void require_signature(std::string const& path, ImageFile const& file, std::stri
   auto const wanted = image::key_id(key);
   auto const signer = image::signer(file.bytes.bytes());
   bool const other_key = signer && *signer != wanted;
-  throw Failure({.sentence = !signer     ? says::not_an_image_unsigned
-                             : other_key ? says::other_key
-                                         : says::signature,
-                 .arguments = {{"file", path},
-                               {"status", axisrt_status_name(status)},
-                               {"key", key_name(wanted)},
-                               {"signer", signer ? key_name(*signer) : ""}}},
+  throw Failure({!signer     ? says::not_an_image_unsigned
+                 : other_key ? says::other_key
+                             : says::signature,
+                 {{"file", path},
+                  {"status", axisrt_status_name(status)},
+                  {"key", key_name(wanted)},
+                  {"signer", signer ? key_name(*signer) : ""}}},
                 not_an_image);
 }
 

@@ -25,8 +25,7 @@ ExitStatus keygen(Invocation const& invocation) {
   auto const key = image::make_secret_key();
   write_keys(*path, key);
   invocation.streams.out.write(
-      render({.sentence = says::keys_made,
-              .arguments = {{"file", *path}, {"key", key_name(image::key_id(key.public_key()))}}},
+      render({says::keys_made, {{"file", *path}, {"key", key_name(image::key_id(key.public_key()))}}},
              invocation.language) +
       "\n");
   return ExitStatus::success;

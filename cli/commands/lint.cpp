@@ -155,10 +155,9 @@ class Lint {
     bool const is_for_people =
         report_format_.format == FindingFormat::text && !options_.checking.quiet && !options_.diff;
     if (!options_.changed_since || !is_for_people) return;
-    streams_.out.write(
-        render({.sentence = says::nothing_changed, .arguments = {{"revision", *options_.changed_since}}},
-               report_format_.write.language) +
-        "\n");
+    streams_.out.write(render({says::nothing_changed, {{"revision", *options_.changed_since}}},
+                              report_format_.write.language) +
+                       "\n");
   }
 
   void check(ReportStream& report) {
@@ -196,11 +195,11 @@ class Lint {
     auto const& names = shown->second;
     auto const errors = input.elsewhere.errors;
     machine_notes_.push_back(
-        {.sentence = errors == 0 ? says::judged_in : says::judged_in_with_errors,
-         .arguments = {{"machine", path},
-                       {"file", names.front()},
-                       {"more", names.size() == 1 ? std::string() : " +" + std::to_string(names.size() - 1)},
-                       {"errors", std::to_string(errors)}}});
+        {errors == 0 ? says::judged_in : says::judged_in_with_errors,
+         {{"machine", path},
+          {"file", names.front()},
+          {"more", names.size() == 1 ? std::string() : " +" + std::to_string(names.size() - 1)},
+          {"errors", std::to_string(errors)}}});
   }
 
   [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {

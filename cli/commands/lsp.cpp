@@ -57,8 +57,7 @@ ExitStatus lsp(Invocation const& invocation) {
     invocation.streams.out.flush();
   }
   if (frames.is_broken()) {
-    throw Failure(
-        {.sentence = says::no_frame, .arguments = {{"most", std::to_string(editor::longest_message)}}});
+    throw Failure({says::no_frame, {{"most", std::to_string(editor::longest_message)}}});
   }
   return session.ended_properly() ? ExitStatus::success : ExitStatus::findings;
 }

@@ -44,7 +44,7 @@ ExitStatus machine(Invocation const& invocation) {
     return sources[named.list.source].is_window();
   });
   if (is_project && format == presentation::Format::json) {
-    throw Failure({.sentence = says::lists_in_project, .arguments = {{"file", path}}});
+    throw Failure({says::lists_in_project, {{"file", path}}});
   }
   bool const is_read_by_programs =
       format == presentation::Format::json || format == presentation::Format::csv;

@@ -46,11 +46,10 @@ struct ReplayOptions {
 
 [[nodiscard]] Failure unusable_recording(std::string const& path, axisrt_status status) {
   if (status == AXISRT_NO_LEVEL) {
-    return Failure({.sentence = says::level, .arguments = {{"file", path}}});
+    return Failure({says::level, {{"file", path}}});
   }
   SentenceRef const text = status == AXISRT_OTHER_IMAGE ? says::other_image : says::recording;
-  return Failure({.sentence = text, .arguments = {{"file", path}, {"status", axisrt_status_name(status)}}},
-                 not_an_image);
+  return Failure({text, {{"file", path}, {"status", axisrt_status_name(status)}}}, not_an_image);
 }
 
 image::Recording open_recording(std::string const& path, ImageFile const& image) {

@@ -112,7 +112,7 @@ double number(std::optional<std::string> const& word, char const* option, double
   if (!word) return otherwise;
   auto const value = parse_number(*word);
   if (!value) {
-    throw Failure({.sentence = says::bad_number, .arguments = {{"option", option}, {"value", *word}}});
+    throw Failure({says::bad_number, {{"option", option}, {"value", *word}}});
   }
   return *value;
 }
@@ -121,8 +121,7 @@ double number(std::optional<std::string> const& word, char const* option, double
 std::uint64_t cycles_of(RunOptions const& options) {
   if (!options.cycles) return default_cycles;
   if (auto const value = parse_count(*options.cycles)) return *value;
-  throw Failure(
-      {.sentence = says::bad_count, .arguments = {{"option", "--cycles"}, {"value", *options.cycles}}});
+  throw Failure({says::bad_count, {{"option", "--cycles"}, {"value", *options.cycles}}});
 }
 
 Port port_of(RunOptions const& options) {
@@ -130,9 +129,8 @@ Port port_of(RunOptions const& options) {
     if (!options.port || *options.port == port_name(port)) return port;
   }
   throw Failure(
-      {.sentence = says::bad_choice,
-       .arguments = {
-           {"option", "--port"}, {"value", *options.port}, {"choices", "setpoint, interface, velocity"}}});
+      {says::bad_choice,
+       {{"option", "--port"}, {"value", *options.port}, {"choices", "setpoint, interface, velocity"}}});
 }
 
 void protect_inputs(RunOptions const& options) {
@@ -147,7 +145,7 @@ std::unique_ptr<Stimulus> make_stimulus(RunOptions const& options, image::ImageC
   if (options.input) return std::make_unique<CsvStimulus>(image, *options.input, open_source(*options.input));
   auto const text = options.signal.value_or("step");
   auto const signal = Signal::parse(text);
-  if (!signal) throw Failure({.sentence = says::bad_signal, .arguments = {{"value", text}}});
+  if (!signal) throw Failure({says::bad_signal, {{"value", text}}});
   auto stimulus = std::make_unique<SignalStimulus>(
       image, SignalStimulus::Facts{.signal = *signal,
                                    .amplitude = number(options.amplitude, "--amplitude", 1),
@@ -156,7 +154,7 @@ std::unique_ptr<Stimulus> make_stimulus(RunOptions const& options, image::ImageC
   if (stimulus->channels().empty()) {
     SentenceRef const text_of_port =
         port_of(options) == Port::velocity ? says::no_velocities : says::no_interface_filter;
-    throw Failure({.sentence = text_of_port, .arguments = {{"file", *options.image}}});
+    throw Failure({text_of_port, {{"file", *options.image}}});
   }
   return stimulus;
 }
@@ -169,11 +167,10 @@ void write_recording(std::string const& path, std::vector<std::byte> const& byte
 
 void report(Occurrences const& occurrences, SentenceRef text, Invocation const& invocation) {
   if (occurrences.count == 0) return;
-  invocation.streams.err.write(
-      warning_line({.sentence = text,
-                    .arguments = {{"count", std::to_string(occurrences.count)},
-                                  {"cycle", std::to_string(occurrences.first_cycle)}}},
-                   invocation.language));
+  invocation.streams.err.write(warning_line(
+      {text,
+       {{"count", std::to_string(occurrences.count)}, {"cycle", std::to_string(occurrences.first_cycle)}}},
+      invocation.language));
 }
 
 }  // namespace

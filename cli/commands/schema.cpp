@@ -32,8 +32,8 @@ ExitStatus schema(Invocation const& invocation) {
     }
     names.append(names.empty() ? "" : ", ").append(name);
   }
-  throw Failure({.sentence = says::bad_choice,
-                 .arguments = {{"option", "axisc schema"}, {"value", *word}, {"choices", std::move(names)}}});
+  throw Failure(
+      {says::bad_choice, {{"option", "axisc schema"}, {"value", *word}, {"choices", std::move(names)}}});
 }
 
 }  // namespace axisc::cli

@@ -58,10 +58,10 @@ ExitStatus sign(Invocation const& invocation) {
     replace_content(target, {reinterpret_cast<char const*>(before.data()), before.size()}, content);
   }
   if (options.quiet) return ExitStatus::success;
-  invocation.streams.err.write(render({.sentence = says::cli_signed,
-                                       .arguments = {{"file", target},
-                                                     {"key", key_name(image::key_id(key.public_key()))},
-                                                     {"bytes", std::to_string(bytes.size())}}},
+  invocation.streams.err.write(render({says::cli_signed,
+                                       {{"file", target},
+                                        {"key", key_name(image::key_id(key.public_key()))},
+                                        {"bytes", std::to_string(bytes.size())}}},
                                       invocation.language) +
                                "\n");
   return ExitStatus::success;

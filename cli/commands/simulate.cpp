@@ -156,7 +156,7 @@ ExitStatus simulate(Invocation const& invocation) {
   command_line.require(options.machine.has_value(), "MACHINE");
   bool const closed_loop = options.plant && options.move;
   if (options.program.has_value() == closed_loop || options.plant.has_value() != options.move.has_value()) {
-    throw Failure({.sentence = says::what, .arguments = {}});
+    throw Failure({says::what});
   }
   Workspace workspace(overrides_with(options.cycle_time));
   auto checked =

@@ -105,9 +105,7 @@ class Page {
  public:
   explicit Page(Language language) : language_(language) {}
 
-  [[nodiscard]] std::string say(SentenceRef sentence) const {
-    return render({.sentence = sentence, .arguments = {}}, language_);
-  }
+  [[nodiscard]] std::string say(SentenceRef sentence) const { return render({sentence}, language_); }
 
   void section(SentenceRef heading) {
     text += ".SH \"" + escaped(say(heading), Dashes::hyphens) + "\"\n";

@@ -195,9 +195,8 @@ void CommandLine::choice_of(std::string_view names, std::vector<std::string_view
        take = std::move(take)](std::vector<std::string> const& given) {
         auto const found = std::find(words.begin(), words.end(), given.back());
         if (found == words.end()) {
-          throw Failure(
-              {.sentence = says::bad_choice,
-               .arguments = {{"option", name}, {"value", given.back()}, {"choices", joined(words, ", ")}}});
+          throw Failure({says::bad_choice,
+                         {{"option", name}, {"value", given.back()}, {"choices", joined(words, ", ")}}});
         }
         take(static_cast<std::size_t>(found - words.begin()));
       };
@@ -235,8 +234,7 @@ void CommandLine::refuse_unknown() const {
   if (remaining.empty()) return;
   auto const unknown = remaining.front().substr(0, remaining.front().find('='));
   if (unknown.substr(0, 1) != "-") {
-    throw Failure({.sentence = says::superfluous_argument,
-                   .arguments = {{"argument", remaining.front()}, {"command", command_}}});
+    throw Failure({says::superfluous_argument, {{"argument", remaining.front()}, {"command", command_}}});
   }
   std::vector<std::string_view> known;
   for (auto const& row : parser_->declared) {
@@ -248,8 +246,8 @@ void CommandLine::refuse_unknown() const {
   }
   // Of one letter everything is close to something.
   auto const meant = unknown.size() <= 2 ? std::string_view() : schema::closest_word(unknown, known);
-  throw Failure({.sentence = meant.empty() ? says::unknown_option : says::unknown_option_meant,
-                 .arguments = {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
+  throw Failure({meant.empty() ? says::unknown_option : says::unknown_option_meant,
+                 {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
 }
 
 void CommandLine::refuse_value(std::string_view complaint) const {
@@ -258,10 +256,10 @@ void CommandLine::refuse_value(std::string_view complaint) const {
     auto const name = row.option->get_name();
     auto const bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     if (!is_about(complaint, name) && !is_about(complaint, bare)) continue;
-    throw Failure({.sentence = row.shown.empty() ? says::option_without_value : says::option_value_missing,
-                   .arguments = {{"option", name}, {"command", command_}}});
+    throw Failure({row.shown.empty() ? says::option_without_value : says::option_value_missing,
+                   {{"option", name}, {"command", command_}}});
   }
-  throw Failure({.sentence = says::unexpected, .arguments = {{"reason", std::string(complaint)}}});
+  throw Failure({says::unexpected, {{"reason", std::string(complaint)}}});
 }
 
 std::optional<std::string> CommandLine::read(std::span<std::string const> arguments) {
@@ -304,8 +302,8 @@ bool CommandLine::answers(Invocation const& invocation) {
 
 void CommandLine::require(bool given, std::string_view argument) const {
   if (given) return;
-  throw Failure({.sentence = says::argument_missing,
-                 .arguments = {{"argument", placeholder_in(language_, argument)}, {"command", command_}}});
+  throw Failure(
+      {says::argument_missing, {{"argument", placeholder_in(language_, argument)}, {"command", command_}}});
 }
 
 void CommandLine::refuse_mixture() const {
@@ -329,15 +327,12 @@ void CommandLine::refuse_others(std::string_view kind) const {
     auto const kinds = split_list(row.only_for);
     bool const fits = kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
     if (fits || !row.is_given()) continue;
-    throw Failure(
-        {.sentence = says::of_kinds, .arguments = {{"option", row.names}, {"kinds", row.only_for}}});
+    throw Failure({says::of_kinds, {{"option", row.names}, {"kinds", row.only_for}}});
   }
 }
 
 std::string CommandLine::help() const {
-  auto const say = [this](SentenceRef text) {
-    return render({.sentence = text, .arguments = {}}, language_);
-  };
+  auto const say = [this](SentenceRef text) { return render({text}, language_); };
   auto const page = help_page(command_, language_);
   auto const width = help_width();
   std::string usage = say(says::help_usage) + ": axisc " + command_ + " [" + say(says::help_options) + "]";

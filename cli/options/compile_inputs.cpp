@@ -14,7 +14,7 @@ namespace {
 void refuse_programs(std::vector<std::string> const& paths) {
   for (auto const& path : paths) {
     if (ascii::has_extension(path, ".nc")) {
-      throw Failure({.sentence = says::nc_program, .arguments = {{"file", path}}});
+      throw Failure({says::nc_program, {{"file", path}}});
     }
   }
 }
@@ -31,7 +31,7 @@ CompileInputs choose_one(CompileOptions const& options) {
     sources = std::move(inputs.sources);
   }
   if (named.size() == 1) named.front() = machine_input(named.front());
-  if (named.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
+  if (named.size() > 1) throw Failure({says::one_output});
   refuse_programs(named);
   CompileInputs chosen;
   chosen.inputs.paths = std::move(named);

@@ -60,11 +60,11 @@ void declare(CommandLine& command_line, CompileOptions& options) {
 void require_sense(CommandLine const& command_line, CompileOptions const& options) {
   command_line.require(!options.inputs.empty(), "INPUT");
   if (options.output && options.output_folder) {
-    throw Failure({.sentence = says::two_outputs, .arguments = {}});
+    throw Failure({says::two_outputs});
   }
   if (options.is_batch()) return;
-  if (options.input_folder) throw Failure({.sentence = says::input_folder_alone, .arguments = {}});
-  if (options.inputs.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
+  if (options.input_folder) throw Failure({says::input_folder_alone});
+  if (options.inputs.size() > 1) throw Failure({says::one_output});
   command_line.require(options.output.has_value(), "-o");
 }
 
@@ -74,7 +74,7 @@ codegen::ImageOptions image_options(CompileOptions const& given) {
   if (!given.image_version) return options;
   auto const version = parse_count(*given.image_version);
   if (!version || *version > std::numeric_limits<std::uint32_t>::max()) {
-    throw Failure({.sentence = says::bad_image_version, .arguments = {{"value", *given.image_version}}});
+    throw Failure({says::bad_image_version, {{"value", *given.image_version}}});
   }
   options.image_version = static_cast<std::uint32_t>(*version);
   return options;

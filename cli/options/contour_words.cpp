@@ -38,21 +38,19 @@ ContourRequest read_contour_words(ContourWords const& words) {
       auto const order = parse_count(word);
       if (!order || *order > design::longest_kernel_order) {
         throw Failure(
-            {.sentence = says::bad_orders,
-             .arguments = {{"limit", std::to_string(design::longest_kernel_order)}, {"value", word}}});
+            {says::bad_orders, {{"limit", std::to_string(design::longest_kernel_order)}, {"value", word}}});
       }
       wanted.orders.emplace_back(static_cast<std::uint32_t>(*order));
     }
     if (wanted.orders.empty()) {
-      throw Failure(
-          {.sentence = says::bad_orders,
-           .arguments = {{"limit", std::to_string(design::longest_kernel_order)}, {"value", *words.orders}}});
+      throw Failure({says::bad_orders,
+                     {{"limit", std::to_string(design::longest_kernel_order)}, {"value", *words.orders}}});
     }
   }
   if (words.angle) {
     auto const angle = parse_finite(*words.angle);
     if (!angle || *angle < 0 || *angle > 180) {
-      throw Failure({.sentence = says::bad_angle, .arguments = {{"value", *words.angle}}});
+      throw Failure({says::bad_angle, {{"value", *words.angle}}});
     }
     wanted.angle_deg = *angle;
   }

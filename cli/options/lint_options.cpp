@@ -67,21 +67,20 @@ void require_sense(CommandLine const& command_line, LintOptions const& options) 
     bool const names_standard_input =
         std::find(options.named.begin(), options.named.end(), "-") != options.named.end();
     if (names_standard_input || options.stdin_filename) {
-      throw Failure({.sentence = says::changed_standard_input, .arguments = {}});
+      throw Failure({says::changed_standard_input});
     }
-    if (options.write_baseline) throw Failure({.sentence = says::changed_baseline, .arguments = {}});
+    if (options.write_baseline) throw Failure({says::changed_baseline});
   }
   bool const countable =
       options.checking.format == FindingFormat::text || options.checking.format == FindingFormat::json;
-  if (options.statistics && !countable) throw Failure({.sentence = says::statistics_format, .arguments = {}});
+  if (options.statistics && !countable) throw Failure({says::statistics_format});
 }
 
 FixChoice fix_choice(LintOptions const& options) {
   if (!options.fix) return options.diff ? FixChoice::safe : FixChoice::none;
   if (options.fix->empty()) return FixChoice::safe;
   if (*options.fix == "all") return FixChoice::all;
-  throw Failure({.sentence = says::bad_choice,
-                 .arguments = {{"option", "--fix"}, {"value", *options.fix}, {"choices", "all"}}});
+  throw Failure({says::bad_choice, {{"option", "--fix"}, {"value", *options.fix}, {"choices", "all"}}});
 }
 
 bool is_judged(LintOptions const& given, validator::CheckOptions const& options, Code code) {

@@ -45,9 +45,9 @@ PictureFormat PictureTarget::chosen() const {
 void PictureTarget::check() const {
   if (!path) return;
   if (chosen() == PictureFormat::by_name) {
-    throw Failure({.sentence = says::unknown_picture, .arguments = {{"file", *path}}});
+    throw Failure({says::unknown_picture, {{"file", *path}}});
   }
-  if (table && path == "-") throw Failure({.sentence = says::table_and_picture, .arguments = {}});
+  if (table && path == "-") throw Failure({says::table_and_picture});
 }
 
 void write_picture(pictures::Figure const& figure, PictureTarget const& target,

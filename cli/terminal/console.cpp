@@ -63,10 +63,9 @@ void Console::print(std::string_view text) {
   if (!error) return;
   if (error->refusal == system::Refusal::closed_pipe) throw ReaderGone();
   if (stream_ == system::Stream::error) {
-    throw Failure({.sentence = says::stderr_failed, .arguments = {}}, cannot_write);
+    throw Failure({says::stderr_failed}, cannot_write);
   }
-  throw Failure({.sentence = reason(error->refusal), .arguments = {{"reason", system::text_of(*error)}}},
-                cannot_write);
+  throw Failure({reason(error->refusal), {{"reason", system::text_of(*error)}}}, cannot_write);
 }
 
 }  // namespace axisc::cli

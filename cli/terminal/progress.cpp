@@ -53,9 +53,8 @@ bool Progress::is_due() {
 
 void Progress::show(double share, double seconds) {
   if (!is_due()) return;
-  draw(share,
-       {.sentence = says::simulate_progress,
-        .arguments = {{"percent", fmt::format("{:.0f}", share * 100)}, {"time", format_fixed(seconds, 1)}}});
+  draw(share, {says::simulate_progress,
+               {{"percent", fmt::format("{:.0f}", share * 100)}, {"time", format_fixed(seconds, 1)}}});
 }
 
 void Progress::show(std::size_t done, std::size_t count) {
@@ -63,10 +62,10 @@ void Progress::show(std::size_t done, std::size_t count) {
   std::chrono::duration<double> const seconds = last_ - begun_;
   if (seconds < patience) return;
   draw(static_cast<double>(done) / static_cast<double>(count),
-       {.sentence = says::progress,
-        .arguments = {{"done", std::to_string(done)},
-                      {"count", std::to_string(count)},
-                      {"rate", fmt::format("{:.0f}", static_cast<double>(done) / seconds.count())}}});
+       {says::progress,
+        {{"done", std::to_string(done)},
+         {"count", std::to_string(count)},
+         {"rate", fmt::format("{:.0f}", static_cast<double>(done) / seconds.count())}}});
 }
 
 void Progress::draw(double share, Message const& message) {

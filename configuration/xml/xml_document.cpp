@@ -47,7 +47,7 @@ Span span_of(std::size_t begin, std::size_t size) {
 }
 
 XmlMistake mistake(Span span, SentenceRef sentence) {
-  return {.span = span, .message = {.sentence = sentence, .arguments = {}}};
+  return {.span = span, .message = {sentence}};
 }
 
 SentenceRef sentence_of(pugi::xml_parse_result const& result, std::size_t size) {

@@ -122,7 +122,7 @@ class ListReader {
     require_spelling(root.name, xml_root_of(kind_));
     for (std::size_t element = 0; element < document_.elements.size(); ++element) read_element(element);
     if (list_.translation.list.empty() && list_.mistakes.empty()) {
-      refuse(root.name_span, {.sentence = says::xml_empty, .arguments = {}});
+      refuse(root.name_span, {says::xml_empty});
     }
   }
 
@@ -145,7 +145,7 @@ class ListReader {
       }
     }
     if (is_parameter && !has_value) {
-      refuse(element.name_span, {.sentence = says::xml_no_value, .arguments = {{"element", right_name}}});
+      refuse(element.name_span, {says::xml_no_value, {{"element", right_name}}});
     } else if (index == 0 || is_parameter || has_child(index)) {
       refuse_text(element);
     }
@@ -154,14 +154,14 @@ class ListReader {
   void refuse_text(XmlElement const& element) {
     std::optional<Span> text = element.text;
     if (!text && !element.cdata_sections.empty()) text = element.cdata_sections.front();
-    if (text) refuse(*text, {.sentence = says::xml_text, .arguments = {}});
+    if (text) refuse(*text, {says::xml_text});
   }
 
   void add_line(XmlElement const& element, XmlAttribute const& attribute) {
     Translation& translation = list_.translation;
     std::string_view const raw = bytes_.substr(attribute.value.begin, attribute.value.size());
     if (has_control_character(raw)) {
-      refuse(attribute.value, {.sentence = says::xml_control, .arguments = {}});
+      refuse(attribute.value, {says::xml_control});
       return;
     }
     auto const name = parameter_name(element.name, kind_);
@@ -176,8 +176,7 @@ class ListReader {
     if (written == meant) return true;
     auto const begin = static_cast<std::uint32_t>(written.data() - bytes_.data());
     refuse({.begin = begin, .end = begin + static_cast<std::uint32_t>(written.size())},
-           {.sentence = says::xml_spelling,
-            .arguments = {{"written", std::string(written)}, {"meant", std::string(meant)}}});
+           {says::xml_spelling, {{"written", std::string(written)}, {"meant", std::string(meant)}}});
     return false;
   }
 
@@ -221,10 +220,7 @@ SourceText list_text(std::string path, std::string bytes, std::vector<XmlMistake
   }
   auto const parsed = parse_xml(bytes);
   auto const* const mistake = std::get_if<XmlMistake>(&parsed);
-  mistakes.push_back(
-      mistake != nullptr
-          ? *mistake
-          : XmlMistake{.span = {}, .message = {.sentence = says::xml_no_list, .arguments = {}}});
+  mistakes.push_back(mistake != nullptr ? *mistake : XmlMistake{.span = {}, .message = {says::xml_no_list}});
   Translation translation{.file = {}, .list = {}, .pieces = {}, .encoding = xml_encoding(bytes)};
   translation.file = std::move(bytes);
   return SourceText(std::move(path), std::move(translation));

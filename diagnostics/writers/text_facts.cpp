@@ -45,9 +45,7 @@ namespace {
 constexpr std::size_t most_stale_entries = 10;
 
 std::string counted(std::size_t number, SentenceRef one, SentenceRef many, Language language) {
-  return render({.sentence = number == 1 ? one : many,
-                 .arguments = {{.name = "count", .value = std::to_string(number)}}},
-                language);
+  return render({number == 1 ? one : many, {{.name = "count", .value = std::to_string(number)}}}, language);
 }
 
 std::string stale_text(Identity const& identity, Language language) {
@@ -55,10 +53,10 @@ std::string stale_text(Identity const& identity, Language language) {
   for (std::string const& part : {identity.axis, identity.parameter}) {
     if (!part.empty()) subject += (subject.empty() ? "" : " ") + part;
   }
-  return render({.sentence = says::baseline_stale,
-                 .arguments = {{.name = "code", .value = code_text(identity.code)},
-                               {.name = "subject", .value = subject}}},
-                language);
+  return render(
+      {says::baseline_stale,
+       {{.name = "code", .value = code_text(identity.code)}, {.name = "subject", .value = subject}}},
+      language);
 }
 
 }  // namespace
@@ -68,8 +66,7 @@ std::string write_text_facts(RunFacts const& run, WriteOptions const& options) {
   Language const language = options.language;
   std::string text;
   auto const add = [&](std::string const& sentence) {
-    text += paint(Style::note, render({.sentence = says::word_note, .arguments = {}}, language)) + ": " +
-            printable(sentence) + '\n';
+    text += paint(Style::note, render({says::word_note}, language)) + ": " + printable(sentence) + '\n';
   };
   if (run.fixes) {
     for (AppliedFix const& fix : run.fixes->named) {

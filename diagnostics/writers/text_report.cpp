@@ -83,14 +83,12 @@ class TextReport final : public ReportWriter {
 
   [[nodiscard]] std::string repetitions_of(Seen const& seen) const {
     auto headline = seen.headline;
-    headline.notes.push_back(
-        {.sentence = says::same_elsewhere, .arguments = {{"count", std::to_string(seen.count)}}});
+    headline.notes.push_back({says::same_elsewhere, {{"count", std::to_string(seen.count)}}});
     auto text = write_text(headline, {}, options_);
     for (auto const& place : seen.places) ((text += "  ::: ") += place) += '\n';
     if (seen.count > seen.places.size()) {
       auto const left = std::to_string(seen.count - seen.places.size());
-      (text += "  ") +=
-          render({.sentence = says::more_places, .arguments = {{"count", left}}}, options_.language);
+      (text += "  ") += render({says::more_places, {{"count", left}}}, options_.language);
       text += '\n';
     }
     return text + "\n";

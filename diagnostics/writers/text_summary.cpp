@@ -26,9 +26,7 @@ namespace axisc {
 namespace {
 
 std::string counted(std::size_t number, SentenceRef one, SentenceRef many, Language language) {
-  return render({.sentence = number == 1 ? one : many,
-                 .arguments = {{.name = "count", .value = std::to_string(number)}}},
-                language);
+  return render({number == 1 ? one : many, {{.name = "count", .value = std::to_string(number)}}}, language);
 }
 
 }  // namespace
@@ -47,7 +45,7 @@ std::string write_text_summary(std::size_t files, FindingCounts const& counts, W
   add(counts.warnings, says::summary_warnings_one, says::summary_warnings_many, Style::warning);
   add(counts.notes, says::summary_notes_one, says::summary_notes_many, Style::note);
   add(failures, says::summary_failures_one, says::summary_failures_many, Style::error);
-  if (found.empty()) found = render({.sentence = says::summary_nothing, .arguments = {}}, language);
+  if (found.empty()) found = render({says::summary_nothing}, language);
   return counted(files, says::summary_files_one, says::summary_files_many, language) + ": " + found + '\n';
 }
 

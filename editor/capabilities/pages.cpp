@@ -110,7 +110,7 @@ Page plot_of_machine(PageSubject const& subject) {
   auto const* const last = picture_kinds.begin() + drawn_without_more;
   auto const* const kind =
       std::find_if(picture_kinds.begin(), last, [&word](auto const& row) { return row.first == word; });
-  if (kind == last) throw Failure({.sentence = says::unknown_picture_kind, .arguments = {{"kind", word}}});
+  if (kind == last) throw Failure({says::unknown_picture_kind, {{"kind", word}}});
   Workspace workspace(subject.files, options_of(subject));
   PictureQuestion question;
   question.input = subject.machine;
@@ -120,8 +120,7 @@ Page plot_of_machine(PageSubject const& subject) {
   question.language = subject.language;
   auto const figure = picture_answer(workspace, question, no_errors(subject));
   if (!figure) {
-    throw Failure({.sentence = says::errors_first,
-                   .arguments = {{"machine", std::string(validator::file_name(subject.machine))}}});
+    throw Failure({says::errors_first, {{"machine", std::string(validator::file_name(subject.machine))}}});
   }
   return with_script(figure->title, pictures::page(*figure, subject.language), subject.language);
 }

@@ -18,7 +18,7 @@ std::string dump(Json const& message) {
 }
 
 std::string say(SentenceRef sentence, Language language, std::vector<Argument> arguments) {
-  return render({.sentence = sentence, .arguments = std::move(arguments)}, language);
+  return render({sentence, std::move(arguments)}, language);
 }
 
 }  // namespace axisc::editor

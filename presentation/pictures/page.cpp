@@ -60,17 +60,14 @@ pre{background:var(--panel);padding:.6rem .8rem;overflow-x:auto;font-size:13px}
 }
 
 std::string zoom_part(Language language) {
-  std::string text = "<footer><details><summary>" +
-                     escaped(render({.sentence = says::zoomed_by, .arguments = {}}, language)) +
+  std::string text = "<footer><details><summary>" + escaped(render({says::zoomed_by}, language)) +
                      "</summary><pre tabindex=\"0\">";
   text.append(escaped(plotting_licence())).append("</pre></details></footer>\n<script>");
   return text.append(page_script(language)).append("</script>\n");
 }
 
 std::string page_script(Language language) {
-  auto const say = [language](SentenceRef text) {
-    return render({.sentence = text, .arguments = {}}, language);
-  };
+  auto const say = [language](SentenceRef text) { return render({text}, language); };
   std::string text = "\n";
   text.append(plotting_script()).append("\n").append(zoom_script());
   text += "zoomAll({";

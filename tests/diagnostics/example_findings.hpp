@@ -12,7 +12,7 @@ namespace axisc::test {
 
 /// A message that is the same in both languages.
 inline Message say(std::string text) {
-  return {.sentence = axisc::says::as_given, .arguments = {{.name = "text", .value = std::move(text)}}};
+  return {axisc::says::as_given, {{.name = "text", .value = std::move(text)}}};
 }
 
 /// The place of the `nth` (from 0) occurrence of `bytes`.

@@ -66,7 +66,7 @@ TEST_CASE("the fields of the JSON form") {
 
 TEST_CASE("messages of the JSON form follow the language") {
   DelayExample example;
-  example.finding.message = {.sentence = summary_nothing, .arguments = {}};
+  example.finding.message = {summary_nothing};
   auto const message = [&](Language language) {
     auto const json = nlohmann::json::parse(
         write_json({example.finding}, example.sources, {.files = 1}, {.language = language}));

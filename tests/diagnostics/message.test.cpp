@@ -25,12 +25,12 @@ TEST_CASE("a sentence is said in the language that is asked for") {
 TEST_CASE("messages print numbers and braces as they are given") {
   CHECK(render(say("12 ms"), Language::english) == "12 ms");
   CHECK(render(say("{text} {{ }}"), Language::german) == "{text} {{ }}");
-  CHECK(render({.sentence = unknown, .arguments = {{.name = "name", .value = "50663"}}}, Language::german) ==
+  CHECK(render({unknown, {{.name = "name", .value = "50663"}}}, Language::german) ==
         "unbekannter Parameter `50663`");
 }
 
 TEST_CASE("values are made printable where that is asked for") {
-  Message const message{.sentence = unknown, .arguments = {{"name", "a\tb µ\x1b"}}};
+  Message const message{unknown, {{"name", "a\tb µ\x1b"}}};
   std::string text = "\t";
   append_rendered(text, message, Language::german, Values::printable);
   CHECK(text == "\tunbekannter Parameter `a␉b µ␛`");
@@ -39,28 +39,26 @@ TEST_CASE("values are made printable where that is asked for") {
 
 TEST_CASE("a placeholder without a value stays") {
   CHECK(render({}, Language::english) == "{text}");
-  CHECK(render({.sentence = says::as_given, .arguments = {}}, Language::english) == "{text}");
-  CHECK(render({.sentence = says::as_given, .arguments = {{.name = "other", .value = "1"}}},
-               Language::english) == "{text}");
+  CHECK(render({says::as_given}, Language::english) == "{text}");
+  CHECK(render({says::as_given, {{.name = "other", .value = "1"}}}, Language::english) == "{text}");
 }
 
 TEST_CASE("values are where their placeholders were") {
-  Message const message{.sentence = order, .arguments = {{"order", "7"}, {"type", "LOWPASS"}}};
+  Message const message{order, {{"order", "7"}, {"type", "LOWPASS"}}};
   CHECK(render(message, Language::english) == "LOWPASS does not know order 7");
   CHECK(render(message, Language::german) == "die Ordnung 7 kennt LOWPASS nicht");
 }
 
 TEST_CASE("a value that looks like a placeholder is not filled again") {
-  Message const message{.sentence = order, .arguments = {{"type", "{order}"}, {"order", "{type}"}}};
+  Message const message{order, {{"type", "{order}"}, {"order", "{type}"}}};
   CHECK(render(message, Language::english) == "{order} does not know order {type}");
 }
 
 TEST_CASE("numbers have the decimal sign of the reader's language, and in code spans that of lists") {
-  Message const message{.sentence = order,
-                        .arguments = {{"order", Wording::number("0.5 mm")}, {"type", "1.5.lis"}}};
+  Message const message{order, {{"order", Wording::number("0.5 mm")}, {"type", "1.5.lis"}}};
   CHECK(render(message, Language::english) == "1.5.lis does not know order 0.5 mm");
   CHECK(render(message, Language::german) == "die Ordnung 0,5 mm kennt 1.5.lis nicht");
-  Message const code{.sentence = unknown, .arguments = {{"name", Wording::number("0.5")}}};
+  Message const code{unknown, {{"name", Wording::number("0.5")}}};
   CHECK(render(code, Language::german) == "unbekannter Parameter `0.5`");
 }
 

@@ -41,7 +41,7 @@ TEST_CASE("the words of a finding are made when it is told, beside what its rule
 
 TEST_CASE("a finding in words keeps them, and takes place, severity and axis of its record") {
   ReportedFindings reported;
-  Report(reported, *find_rule(Code{3005}), "X").add(place, {.sentence = delay_too_long, .arguments = {}});
+  Report(reported, *find_rule(Code{3005}), "X").add(place, {delay_too_long});
   Reported& record = reported.findings.front();
   record.place.span.begin = 4;
   record.severity = Severity::warning;

@@ -62,8 +62,7 @@ class AxisBuilder {
     Place const fallback{.source = machine_.lists[axis_.list].list.source, .span = {}};
     Place const place = value.value_place() ? *value.value_place() : value.name_place().value_or(fallback);
     arguments.push_back({.name = "axis", .value = axis_.name});
-    not_compiled_.push_back(
-        {.place = place, .feature = {.sentence = text, .arguments = std::move(arguments)}});
+    not_compiled_.push_back({.place = place, .feature = {text, std::move(arguments)}});
   }
 
   /// An error about it was suppressed, but the filter must not be left out silently.

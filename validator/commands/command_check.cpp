@@ -238,13 +238,11 @@ class CommandChecker {
     std::string all;
     for (std::string_view const word : known) all.append(all.empty() ? "" : ", ").append(word);
     if (command_.kind == CommandKind::filter) all.append(", ").append(hsc);
-    mistake.notes.push_back(
-        {.sentence = says::filter_keyword_known, .arguments = {{"keywords", std::move(all)}}});
+    mistake.notes.push_back({says::filter_keyword_known, {{"keywords", std::move(all)}}});
     std::string_view const closest = schema::closest_word(name, known);
     if (closest.empty()) return;
     mistake.better = closest;
-    mistake.help.push_back(
-        {.sentence = says::parameter_did_you_mean, .arguments = {{"suggestion", std::string(closest)}}});
+    mistake.help.push_back({says::parameter_did_you_mean, {{"suggestion", std::string(closest)}}});
   }
 
   [[nodiscard]] Keyword const* earlier(std::size_t index, std::string_view name) const {
@@ -313,7 +311,7 @@ CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& 
   CommandMistake& mistake = none.mistakes.emplace_back();
   mistake.code = syntax_mistake;
   mistake.span = command ? command->name : Span{.begin = 0, .end = static_cast<std::uint32_t>(text.size())};
-  mistake.message = {.sentence = says::filter_syntax_no_filter_command, .arguments = {}};
+  mistake.message = {says::filter_syntax_no_filter_command};
   mistake.notes.push_back(syntax_of(CommandKind::filter));
   return none;
 }

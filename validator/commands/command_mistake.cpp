@@ -24,9 +24,7 @@ std::string_view proper_name(CommandKind kind) {
 }
 
 Message syntax_of(CommandKind kind) {
-  return {.sentence = kind == CommandKind::filter ? says::filter_syntax_syntax_filter
-                                                  : says::filter_syntax_syntax_guard,
-          .arguments = {}};
+  return {kind == CommandKind::filter ? says::filter_syntax_syntax_filter : says::filter_syntax_syntax_guard};
 }
 
 CommandMistake& add_mistake(CheckedCommand& checked, CommandKind kind, Code code, Span span, SentenceRef text,
@@ -34,7 +32,7 @@ CommandMistake& add_mistake(CheckedCommand& checked, CommandKind kind, Code code
   CommandMistake& mistake = checked.mistakes.emplace_back();
   mistake.code = code;
   mistake.span = span;
-  mistake.message = {.sentence = text, .arguments = std::move(arguments)};
+  mistake.message = {text, std::move(arguments)};
   if (code == syntax_mistake) mistake.notes.push_back(syntax_of(kind));
   return mistake;
 }

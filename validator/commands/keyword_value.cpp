@@ -48,13 +48,13 @@ std::optional<std::string> number_meant(std::string value) {
 
 void add_range_notes(CommandMistake& mistake, std::string const& name, double value,
                      KeywordRange const& range, CommandLimits const& limits) {
-  mistake.label = Message{.sentence = range.whole ? says::filter_keyword_range_whole : axisc::says::as_given,
-                          .arguments = {{"text", range.text}}};
+  mistake.label =
+      Message{range.whole ? says::filter_keyword_range_whole : axisc::says::as_given, {{"text", range.text}}};
   mistake.control = range.control;
   if (range.control.empty()) mistake.reaction.reset();
   bool const order = name == "ORDER" || name == "ORDER_TIME";
   if (order && limits.time_delay) {
-    mistake.notes.push_back({.sentence = says::filter_keyword_delay, .arguments = {}});
+    mistake.notes.push_back({says::filter_keyword_delay});
   }
   if (order && value > *range.maximum) {
     mistake.control = "50911";
@@ -67,8 +67,8 @@ void add_range_notes(CommandMistake& mistake, std::string const& name, double va
     mistake.reaction = says::filter_reaction_inactive;
     if (range.contains(value * 1000)) {
       std::string const replacement = "ORDER_TIME=" + format_exact(value * 1000);
-      mistake.help.push_back({.sentence = says::milliseconds_meant,
-                              .arguments = {{"value", exact_number(value)}, {"replacement", replacement}}});
+      mistake.help.push_back(
+          {says::milliseconds_meant, {{"value", exact_number(value)}, {"replacement", replacement}}});
     }
   }
   mistake.depends_on_cycle_time = range.depends_on_cycle_time;

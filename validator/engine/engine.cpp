@@ -347,8 +347,8 @@ class Engine {
     Finding finding = new_finding(*find_rule(cycle_time_assumed));
     finding.severity = policy_.severity(finding.code, finding.severity);
     finding.file = machine_.path;
-    finding.message = {.sentence = says::headline, .arguments = {}};
-    finding.help.push_back({.sentence = says::help, .arguments = {}});
+    finding.message = {says::headline};
+    finding.help.push_back({says::help});
     return finding;
   }
 

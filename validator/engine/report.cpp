@@ -36,7 +36,7 @@ Finding tell(ReportedFindings& reported, Reported const& finding) {
   told.axis = std::move(axis);
   if (finding.words) finding.words(told);
   if (finding.cycle_time_assumed) {
-    told.notes.push_back({.sentence = says::cycle_time_assumed_note, .arguments = {}});
+    told.notes.push_back({says::cycle_time_assumed_note});
   }
   return told;
 }

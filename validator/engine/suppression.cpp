@@ -193,17 +193,15 @@ void Suppressions::report(Allowance const& allowance, SourceSet const& sources, 
   Rule const& rule = *find_rule(unused_allowance);
   if (allowance.is_too_much) {
     Report(reported, rule)
-        .add(allowance.place, {.sentence = says::too_many,
-                               .arguments = {{.name = "limit", .value = std::to_string(most_codes)}}});
+        .add(allowance.place, {says::too_many, {{.name = "limit", .value = std::to_string(most_codes)}}});
     return;
   }
   std::string const word = sources[allowance.place.source].utf8(allowance.place.span);
   if (!allowance.is_directive) {
-    Finding& finding =
-        Report(reported, *find_rule(unused_allowance))
-            .add(allowance.place, {.sentence = says::no_directive, .arguments = {{"word", word}}});
+    Finding& finding = Report(reported, *find_rule(unused_allowance))
+                           .add(allowance.place, {says::no_directive, {{"word", word}}});
     Fix fix;
-    fix.title = {.sentence = says::fix_word, .arguments = {{"what", std::string(allow)}}};
+    fix.title = {says::fix_word, {{"what", std::string(allow)}}};
     fix.edits.push_back({.place = allowance.place, .text = std::string(allow)});
     finding.fix = std::move(fix);
     return;
@@ -212,12 +210,12 @@ void Suppressions::report(Allowance const& allowance, SourceSet const& sources, 
                      : allowance.next_line ? says::next_line
                                            : says::headline;
   if (!allowance.known) text = word.empty() ? says::empty : says::unknown;
-  Message message{.sentence = text, .arguments = {}};
+  Message message{text};
   if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});
   Finding& finding = Report(reported, rule).add(allowance.place, std::move(message));
   std::string const what = sources[allowance.removed.source].utf8(allowance.removed.span);
   Fix fix;
-  fix.title = {.sentence = says::fix, .arguments = {{"what", '`' + trimmed_entry(what) + '`'}}};
+  fix.title = {says::fix, {{"what", '`' + trimmed_entry(what) + '`'}}};
   fix.edits.push_back({.place = allowance.removed, .text = {}});
   fix.safety = FixSafety::safe;
   finding.fix = std::move(fix);

@@ -163,9 +163,8 @@ void Loader::missing(configuration::LocatedText const& name, configuration::File
   if (closest.empty()) return;
   // No fix: the name next to it may be another axis' list.
   machine_.findings.back().help.push_back(
-      {.sentence = configuration::says::json_did_you_mean,
-       .arguments = {
-           {"suggestion", name.text.substr(0, name.text.size() - written.size()) + std::string(closest)}}});
+      {configuration::says::json_did_you_mean,
+       {{"suggestion", name.text.substr(0, name.text.size() - written.size()) + std::string(closest)}}});
 }
 
 void Loader::refuse(configuration::LocatedText const& name, SentenceRef text) {
@@ -173,7 +172,7 @@ void Loader::refuse(configuration::LocatedText const& name, SentenceRef text) {
   Finding& finding = machine_.findings.emplace_back();
   finding.code = configuration::machine_file_code;
   finding.place = name.place;
-  finding.message = {.sentence = text, .arguments = {{"file", name.text}}};
+  finding.message = {text, {{"file", name.text}}};
 }
 
 }  // namespace axisc::validator

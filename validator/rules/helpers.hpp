@@ -13,13 +13,13 @@
 namespace axisc::validator {
 
 [[nodiscard]] inline Message message(SentenceRef text, std::vector<Argument> arguments = {}) {
-  return {.sentence = text, .arguments = std::move(arguments)};
+  return {text, std::move(arguments)};
 }
 
 /// A message from arguments that are moved, for checks that many lines of one list may fail.
 template <typename... Arguments>
 [[nodiscard]] Message message_of(SentenceRef text, Arguments... arguments) {
-  Message result{.sentence = text, .arguments = {}};
+  Message result{text};
   result.arguments.reserve(sizeof...(arguments));
   (result.arguments.push_back(std::move(arguments)), ...);
   return result;

@@ -31,8 +31,7 @@ Finding& report_at_last(ProgramContext const& context, Report& report, std::vect
   Finding& finding = report.add(Place{.source = source, .span = spans.back()}, std::move(message));
   std::size_t const others = spans.size() - 1;
   for (std::size_t i = others - std::min(others, most_related); i < others; ++i) {
-    finding.related.push_back({.place = {.source = source, .span = spans[i]},
-                               .message = {.sentence = says::here_too, .arguments = {}}});
+    finding.related.push_back({.place = {.source = source, .span = spans[i]}, .message = {says::here_too}});
   }
   return finding;
 }
@@ -52,8 +51,7 @@ void relate_values(Finding& finding, std::vector<LoadedAxis const*> const& axes,
   for (LoadedAxis const* const axis : axes) {
     EffectiveValue const& value = axis->merged.values.at(pattern);
     if (!value.value_place()) continue;
-    finding.related.push_back(
-        {.place = *value.value_place(), .message = {.sentence = text, .arguments = {{"axis", axis->name}}}});
+    finding.related.push_back({.place = *value.value_place(), .message = {text, {{"axis", axis->name}}}});
   }
 }
 

@@ -60,8 +60,7 @@ class SetCollector {
   }
 
   void refuse(Place place, SentenceRef text, std::vector<Argument> arguments) {
-    not_compiled_.push_back(
-        {.place = place, .feature = {.sentence = text, .arguments = std::move(arguments)}});
+    not_compiled_.push_back({.place = place, .feature = {text, std::move(arguments)}});
   }
 
   CommandLimits const& limits_;

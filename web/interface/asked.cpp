@@ -17,7 +17,7 @@ namespace axisc::web {
 
 Asked::Asked(std::string const& json) {
   auto const values = nlohmann::json::parse(json, nullptr, false);
-  auto const refuse = [] { return Failure({.sentence = says::no_texts, .arguments = {}}); };
+  auto const refuse = [] { return Failure({says::no_texts}); };
   if (!values.is_object()) throw refuse();
   for (auto const& [key, value] : values.items()) {
     if (value.is_null()) continue;
@@ -35,13 +35,12 @@ void Asked::refuse_others(std::string_view keys) const {
   auto const words = " " + std::string(keys) + " ";
   for (auto const& [key, value] : values_) {
     if (words.find(" " + key + " ") != std::string::npos) continue;
-    throw Failure({.sentence = says::unknown_key, .arguments = {{"key", key}, {"known", std::string(keys)}}});
+    throw Failure({says::unknown_key, {{"key", key}, {"known", std::string(keys)}}});
   }
 }
 
 Failure Asked::unknown_word(std::string const& key, std::string const& word, std::string const& known) {
-  return Failure(
-      {.sentence = says::unknown_word, .arguments = {{"key", key}, {"word", word}, {"known", known}}});
+  return Failure({says::unknown_word, {{"key", key}, {"word", word}, {"known", known}}});
 }
 
 }  // namespace axisc::web

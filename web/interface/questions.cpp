@@ -108,7 +108,7 @@ std::optional<std::string> answer(Workspace& workspace, std::string const& quest
   }
   std::string known;
   for (auto const& row : questions) known.append(known.empty() ? "" : ", ").append(row.name);
-  throw Failure({.sentence = says::not_a_question, .arguments = {{"question", name}, {"known", known}}});
+  throw Failure({says::not_a_question, {{"question", name}, {"known", known}}});
 }
 
 }  // namespace axisc::web

@@ -42,14 +42,14 @@ void ProgramProblems::ignore(NcBlock const& block, Token const& token, std::stri
                              SentenceRef text, std::vector<Argument> arguments) {
   constexpr std::size_t most_named = 100;
   if (ignored_.size() < most_named && ignored_.insert(key).second) {
-    report(block, token, not_simulated, {.sentence = text, .arguments = std::move(arguments)});
+    report(block, token, not_simulated, {text, std::move(arguments)});
   }
 }
 
 void ProgramProblems::ignore_unless_used(NcBlock const& block, Token const& token, std::string const& key,
                                          SentenceRef text) {
   if (later_) return;
-  later_ = problem_at(block, token, not_simulated, {.sentence = text, .arguments = {}});
+  later_ = problem_at(block, token, not_simulated, {text});
   later_key_ = key;
 }
 
@@ -60,7 +60,7 @@ void ProgramProblems::finish() {
 void ProgramProblems::refuse(NcBlock const& block, Token const& token, SentenceRef text) {
   refused_ = true;
   broken_ = broken_ || block.is_kept;
-  report(block, token, cannot_simulate, {.sentence = text, .arguments = {}});
+  report(block, token, cannot_simulate, {text});
 }
 
 }  // namespace axisc::motion

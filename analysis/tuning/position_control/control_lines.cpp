@@ -61,8 +61,8 @@ std::string short_name(machine::PositionControl const& control, Language languag
         {"weight", exact_number(stage.weight_numerator / stage.weight_denominator)}};
     if (stage.oscillator) arguments.push_back({"damping", exact_number(stage.oscillator->damping)});
     text += (text.empty() ? "" : " + ") +
-            render({.sentence = stage.oscillator ? SentenceRef(says::damped_stage) : SentenceRef(says::stage),
-                    .arguments = std::move(arguments)},
+            render({stage.oscillator ? SentenceRef(says::damped_stage) : SentenceRef(says::stage),
+                    std::move(arguments)},
                    language);
   }
   return text;

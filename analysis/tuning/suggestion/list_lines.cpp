@@ -89,7 +89,7 @@ std::string short_name(Chain const& chain, Language language) {
   static constexpr std::array<SentenceRef, 5> kernel_names = {
       says::moving_average, says::gaussian, says::windowed_sinc, says::time_delay, says::novib};
   auto const say = [language](SentenceRef sentence, std::vector<Argument> arguments = {}) {
-    return render({.sentence = sentence, .arguments = std::move(arguments)}, language);
+    return render({sentence, std::move(arguments)}, language);
   };
   std::string text;
   auto const append = [&](std::string part, std::optional<std::uint32_t> order,

@@ -243,8 +243,7 @@ Message left_open(comparison::OpenSetting const& open) {
     possible +=
         (possible.empty() ? "" : ", ") + (id.empty() ? wording_of(says::setting_in_force) : Wording(id));
   }
-  return {.sentence = says::left_open,
-          .arguments = {{"key", std::string(open.key)}, {"possible", std::move(possible)}}};
+  return {says::left_open, {{"key", std::string(open.key)}, {"possible", std::move(possible)}}};
 }
 
 std::string design_settings(design::Readings const& readings) {

@@ -94,10 +94,10 @@ bool fits_none(MotionComparison const& result) {
 }
 
 Message left_open(std::size_t key, MotionKeyVerdict const& verdict) {
-  return {.sentence = verdict.acts ? SentenceRef(says::key_open) : SentenceRef(says::key_unseen),
-          .arguments = {{"key", std::string(comparison::motion_key_words().at(key).key)},
-                        {"possible", listed(words_of(key, verdict.possible))},
-                        {"motion", wording_of(telling_motion_of(static_cast<MotionKey>(key)))}}};
+  return {verdict.acts ? SentenceRef(says::key_open) : SentenceRef(says::key_unseen),
+          {{"key", std::string(comparison::motion_key_words().at(key).key)},
+           {"possible", listed(words_of(key, verdict.possible))},
+           {"motion", wording_of(telling_motion_of(static_cast<MotionKey>(key)))}}};
 }
 
 class Answer {

@@ -56,12 +56,11 @@ std::vector<comparison::Move> moves_of(ProgramLines& program, ProgramRequest con
   if (auto const& problem = moves.problem()) {
     auto const pause = format_rounded(comparison::shortest_pause_s, 3);
     throw Failure(request.program_path + ":" + std::to_string(problem->line),
-                  {{.sentence = problem_sentences.at(static_cast<std::size_t>(problem->kind)),
-                    .arguments = {{"pause", pause}}}},
+                  {{problem_sentences.at(static_cast<std::size_t>(problem->kind)), {{"pause", pause}}}},
                   std::nullopt);
   }
   if (moves.moves().empty()) {
-    throw Failure(request.program_path, {{.sentence = says::no_moves, .arguments = {}}}, std::nullopt);
+    throw Failure(request.program_path, {{says::no_moves}}, std::nullopt);
   }
   return moves.moves();
 }
@@ -109,11 +108,11 @@ RecordedMotion compare_program(ProgramLines& program, ProgramRequest const& requ
   for (auto const gap : recorded.gaps) path.is_gap[gap] = 1;
   auto compared = comparison::compare_motion(moves, path_dynamics(machine, group), path);
   if (auto const* const missing = std::get_if<comparison::NoSuchMoves>(&compared)) {
-    throw Failure({.sentence = says::no_such_moves,
-                   .arguments = {{"recording", recording.path},
-                                 {"program", request.program_path},
-                                 {"programmed", std::to_string(missing->programmed)},
-                                 {"recorded", std::to_string(missing->recorded)}}});
+    throw Failure({says::no_such_moves,
+                   {{"recording", recording.path},
+                    {"program", request.program_path},
+                    {"programmed", std::to_string(missing->programmed)},
+                    {"recorded", std::to_string(missing->recorded)}}});
   }
   found.result = std::get<comparison::MotionComparison>(std::move(compared));
   return found;

@@ -120,15 +120,15 @@ void add_listed(std::string& list, std::string_view name) {
 
 void describe_travel(TellingProgram const& program, motion::ProgramChannel const& channel, Text& text) {
   auto const travel = travel_of(program);
-  text.comment({.sentence = says::travel_from_here, .arguments = {}});
+  text.comment({says::travel_from_here});
   for (std::size_t i = 0; i < channel.axes.size(); ++i) {
     if (travel.low[i] == travel.high[i]) continue;
     auto const shown = [](double units) { return format_rounded(units / motion::units_per_mm, 4); };
-    text.comment({.sentence = says::travel_of_axis,
-                  .arguments = {{"axis", channel.axes[i]},
-                                {"low", shown(travel.low[i])},
-                                {"high", shown(travel.high[i])},
-                                {"unit", channel.rotary[i] ? "°" : "mm"}}});
+    text.comment({says::travel_of_axis,
+                  {{"axis", channel.axes[i]},
+                   {"low", shown(travel.low[i])},
+                   {"high", shown(travel.high[i])},
+                   {"unit", channel.rotary[i] ? "°" : "mm"}}});
   }
 }
 
@@ -138,16 +138,16 @@ void describe_outlook(TellingProgram const& program, Text& text) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (program.outlook.at(i) == Outlook::told) add_listed(told, words.at(i).key);
   }
-  if (!told.empty()) text.comment({.sentence = says::tells_keys, .arguments = {{"keys", told}}});
+  if (!told.empty()) text.comment({says::tells_keys, {{"keys", told}}});
   for (std::size_t i = 0; i < words.size(); ++i) {
     auto const outlook = program.outlook.at(i);
     if (outlook == Outlook::told) continue;
     auto const key = static_cast<MotionKey>(i);
     SentenceRef const sentence = outlook == Outlook::partly ? says::may_stay_open : says::cannot_be_told;
-    text.comment({.sentence = sentence,
-                  .arguments = {{"key", std::string(words.at(i).key)},
-                                {"subject", presentation::wording_of(subject_of(key))},
-                                {"motion", presentation::wording_of(telling_motion_of(key))}}});
+    text.comment({sentence,
+                  {{"key", std::string(words.at(i).key)},
+                   {"subject", presentation::wording_of(subject_of(key))},
+                   {"motion", presentation::wording_of(telling_motion_of(key))}}});
   }
 }
 
@@ -159,8 +159,8 @@ std::string telling_text(machine::Machine const& machine, std::size_t group, std
   auto const program = comparison::telling_program(channel, path_dynamics(machine, machine.groups[group]));
   Text text(language);
   text.plain("%TELL");
-  text.comment({.sentence = says::telling_title, .arguments = {{"machine", name}}});
-  text.comment({.sentence = says::record_it, .arguments = {{"machine", name}}});
+  text.comment({says::telling_title, {{"machine", name}}});
+  text.comment({says::record_it, {{"machine", name}}});
   describe_travel(program, channel, text);
   describe_outlook(program, text);
   for (auto const& line : program.opening) text.line(line);
@@ -169,10 +169,9 @@ std::string telling_text(machine::Machine const& machine, std::size_t group, std
     auto const& [key, known] = words.at(comparison::index_of(part.key));
     std::string readings;
     for (auto const word : known) add_listed(readings, word);
-    text.comment({.sentence = says::told_by,
-                  .arguments = {{"key", key},
-                                {"subject", presentation::wording_of(subject_of(part.key))},
-                                {"words", readings}}});
+    text.comment(
+        {says::told_by,
+         {{"key", key}, {"subject", presentation::wording_of(subject_of(part.key))}, {"words", readings}}});
     for (auto const& line : part.lines) text.line(line);
   }
   text.line("M30");

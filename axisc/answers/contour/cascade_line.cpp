@@ -42,14 +42,14 @@ std::string figures_of(motion::ChainAnswer const& answer, machine::AxisConfigura
       {"delay", format_rounded(answer.delay * cycle_time.microseconds() / 1000, shown_digits)}};
   double const feed = axis.velocity_limit * mm_per_min_of_um_per_s;
   if (axis.type != machine::AxisType::translatory) {
-    return render({.sentence = says::cascade_not_straight, .arguments = arguments}, language);
+    return render({says::cascade_not_straight, arguments}, language);
   }
-  if (feed <= 0) return render({.sentence = says::cascade_no_feed, .arguments = arguments}, language);
+  if (feed <= 0) return render({says::cascade_no_feed, arguments}, language);
   std::array const both = {answer, answer};
   auto const corner = motion::predict_corner(both, path_velocity(feed, cycle_time), quarter_turn);
   arguments.push_back({"deviation", format_rounded(corner.deviation / motion::units_per_mm, shown_digits)});
   arguments.push_back({"feed", format_rounded(feed, shown_digits)});
-  return render({.sentence = says::cascade_line, .arguments = arguments}, language);
+  return render({says::cascade_line, arguments}, language);
 }
 
 }  // namespace
@@ -57,8 +57,7 @@ std::string figures_of(motion::ChainAnswer const& answer, machine::AxisConfigura
 std::string cascade_line(Workspace& workspace, std::string const& path,
                          std::optional<std::string> const& axis, Language language) {
   auto const say = [&](SentenceRef text) {
-    return render({.sentence = text, .arguments = {{"machine", std::string(validator::file_name(path))}}},
-                  language);
+    return render({text, {{"machine", std::string(validator::file_name(path))}}}, language);
   };
   auto const checked =
       checked_machine(workspace, {.input = path, .alone = true},

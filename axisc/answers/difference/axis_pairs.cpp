@@ -104,13 +104,11 @@ ComparedAxis const& axis_called(ComparedMachine const& machine, std::string cons
     auto const found = all_of(machine, way);
     if (found.size() == 1) return *found.front();
     if (found.size() > 1) {
-      throw Failure(
-          {.sentence = says::ambiguous, .arguments = {{"axis", name}, {"axes", descriptions(found)}}});
+      throw Failure({says::ambiguous, {{"axis", name}, {"axes", descriptions(found)}}});
     }
   }
   auto const all = all_of(machine, [](ComparedAxis const&) { return true; });
-  throw Failure({.sentence = says::unknown,
-                 .arguments = {{"input", machine.input}, {"axis", name}, {"axes", descriptions(all)}}});
+  throw Failure({says::unknown, {{"input", machine.input}, {"axis", name}, {"axes", descriptions(all)}}});
 }
 
 std::vector<AxisPair> pair_axes(ComparedMachine const& before, ComparedMachine const& after) {

@@ -70,8 +70,7 @@ class TableWriter {
 void require(axisrt_status status) {
   if (status == AXISRT_OK) return;
   throw Failure(
-      {.sentence = says::runtime,
-       .arguments = {{"status", axisrt_status_name(status)}, {"reason", axisrt_status_text(status)}}});
+      {says::runtime, {{"status", axisrt_status_name(status)}, {"reason", axisrt_status_text(status)}}});
 }
 
 }  // namespace

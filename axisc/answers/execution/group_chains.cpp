@@ -48,9 +48,9 @@ std::vector<motion::ChainAnswer> GroupChains::answers(std::optional<std::uint32_
   }
   auto answered = motion::chain_answers(*runtime_);
   if (auto const* const missing = std::get_if<motion::NoAnswer>(&answered)) {
-    throw Failure({.sentence = says::blocks_constant,
-                   .arguments = {{"axis", axis_label(image().contents, executed.axes[missing->axis])},
-                                 {"group", group_.name}}});
+    throw Failure(
+        {says::blocks_constant,
+         {{"axis", axis_label(image().contents, executed.axes[missing->axis])}, {"group", group_.name}}});
   }
   return std::get<std::vector<motion::ChainAnswer>>(std::move(answered));
 }

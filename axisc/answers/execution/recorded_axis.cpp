@@ -86,8 +86,7 @@ std::size_t recorded_axis(image::ImageContents const& image, std::optional<std::
                           std::string const& file) {
   auto const axes = chosen_axes(image, name);
   if (axes.size() == 1) return axes.front();
-  throw Failure({.sentence = says::name_an_axis,
-                 .arguments = {{"file", file}, {"count", std::to_string(axes.size())}}});
+  throw Failure({says::name_an_axis, {{"file", file}, {"count", std::to_string(axes.size())}}});
 }
 
 RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, std::string const& path,

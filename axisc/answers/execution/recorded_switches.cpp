@@ -37,16 +37,15 @@ std::vector<comparison::KernelSwitch> kernel_switches(std::vector<TimedCommand> 
   bool on = slot && slot->on_at_start;
   for (auto const& command : commands) {
     if (!slot || !slot->group) {
-      throw Failure(
-          {.sentence = says::nothing_to_switch,
-           .arguments = {{"axis", axis_label(image, axis)}, {"file", path}, {"command", command.text}}});
+      throw Failure({says::nothing_to_switch,
+                     {{"axis", axis_label(image, axis)}, {"file", path}, {"command", command.text}}});
     }
     auto const end = switches.empty() ? 0 : switches.back().cycle + switches.back().fade_cycles;
     if (command.cycle < end) {
-      throw Failure({.sentence = says::still_changing,
-                     .arguments = {{"command", command.text},
-                                   {"cycle", std::to_string(command.cycle)},
-                                   {"end", std::to_string(end)}}});
+      throw Failure({says::still_changing,
+                     {{"command", command.text},
+                      {"cycle", std::to_string(command.cycle)},
+                      {"end", std::to_string(end)}}});
     }
     auto const& group = image.groups[*slot->group];
     auto const wanted = command.command.filter_switch;

@@ -47,7 +47,7 @@ std::optional<std::int64_t> of_gear(image::ImageAxis const& axis, std::string_vi
 }
 
 double increment(image::ImageAxis const& axis) {
-  if (axis.name.empty()) throw Failure({.sentence = says::no_increments, .arguments = {}});
+  if (axis.name.empty()) throw Failure({says::no_increments});
   auto const path = of_gear(axis, "wegaufn").value_or(1);
   auto const increments = of_gear(axis, "wegaufz").value_or(1);
   if (path < 1 || increments < 1) return thousandths_per_tenth;

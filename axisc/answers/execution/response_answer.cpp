@@ -30,9 +30,8 @@ std::vector<std::size_t> axes_with_port(ImageFile const& file, ResponseQuestion 
     return question.port == Port::velocity && !contents.control;
   });
   if (!axes.empty()) return axes;
-  throw Failure(
-      {.sentence = question.port == Port::velocity ? says::no_velocities : says::no_interface_filter,
-       .arguments = {{"file", question.image}}});
+  throw Failure({question.port == Port::velocity ? says::no_velocities : says::no_interface_filter,
+                 {{"file", question.image}}});
 }
 
 /// Frequencies at which the chains do what they were made for: corners, notches, vibrations.

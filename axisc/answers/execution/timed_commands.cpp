@@ -42,7 +42,7 @@ namespace {
   std::vector<Argument> arguments = {
       {"file", path}, {"command", command.text}, {"cycle", std::to_string(command.cycle)}};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  throw Failure({.sentence = text, .arguments = std::move(arguments)});
+  throw Failure({text, std::move(arguments)});
 }
 
 /// "ON [ORDER=20]".
@@ -89,7 +89,7 @@ TimedCommand read_timed_command(std::string const& word, ImageFile const& file, 
   auto const colon = word.find(':');
   auto const cycle = parse_count(std::string_view(word).substr(0, colon));
   if (colon == std::string::npos || !cycle) {
-    throw Failure({.sentence = says::bad_timed_command, .arguments = {{"value", word}}});
+    throw Failure({says::bad_timed_command, {{"value", word}}});
   }
   TimedCommand command{.cycle = *cycle, .text = word.substr(colon + 1), .command = {}, .parameters = {}};
   if (file.contents.groups.empty()) refuse(says::no_banks, command, path);
@@ -97,7 +97,7 @@ TimedCommand read_timed_command(std::string const& word, ImageFile const& file, 
   if (!checked.mistakes.empty() || !checked.command) {
     auto const reason =
         checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
-    throw Failure({.sentence = says::bad_command, .arguments = {{"value", word}, {"reason", reason}}});
+    throw Failure({says::bad_command, {{"value", word}, {"reason", reason}}});
   }
   command.command = *checked.command;
   return command;

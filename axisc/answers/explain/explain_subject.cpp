@@ -87,8 +87,8 @@ std::vector<schema::Parameter const*> rows_of_name(std::span<schema::Catalogue c
     std::vector<std::string_view> const known(texts.begin(), texts.end());
     meant = schema::closest_word(word, known);
   }
-  throw Failure({.sentence = meant.empty() ? says::unknown_subject : says::unknown_subject_meant,
-                 .arguments = {{"word", word}, {"meant", meant}}});
+  throw Failure({meant.empty() ? says::unknown_subject : says::unknown_subject_meant,
+                 {{"word", word}, {"meant", meant}}});
 }
 
 /// "50663" is in "50663/60311/70451".

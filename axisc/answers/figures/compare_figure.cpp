@@ -69,7 +69,7 @@ class CompareFigure {
   };
 
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
-    return render({.sentence = text, .arguments = std::move(arguments)}, language_);
+    return render({text, std::move(arguments)}, language_);
   }
   [[nodiscard]] comparison::Overlay overlay(comparison::Reading const& reading,
                                             comparison::Residual const& residual) const {

@@ -68,7 +68,7 @@ class DynamicsTable {
 
  private:
   [[nodiscard]] std::string say(SentenceRef sentence, std::vector<Argument> arguments = {}) const {
-    return render({.sentence = sentence, .arguments = std::move(arguments)}, language_);
+    return render({sentence, std::move(arguments)}, language_);
   }
   [[nodiscard]] std::string text(double value) const {
     return format_rounded(value, shown_digits).in(language_);

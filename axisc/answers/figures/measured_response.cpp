@@ -34,8 +34,7 @@ std::optional<std::size_t> column(recordings::NumberRows const& rows, std::strin
 std::size_t required_column(recordings::NumberRows const& rows, std::string const& path,
                             std::string_view name) {
   if (auto const found = column(rows, name)) return *found;
-  throw Failure(
-      {.sentence = says::measured_columns, .arguments = {{"file", path}, {"column", std::string(name)}}});
+  throw Failure({says::measured_columns, {{"file", path}, {"column", std::string(name)}}});
 }
 
 }  // namespace
@@ -58,7 +57,7 @@ std::vector<MeasuredPoint> read_measured_response(std::string const& path) {
          .magnitude_db = row[magnitude],
          .phase_deg = phase && std::isfinite(row[*phase]) ? std::optional(row[*phase]) : std::nullopt});
   }
-  if (points.empty()) throw Failure({.sentence = says::measured_nothing, .arguments = {{"file", path}}});
+  if (points.empty()) throw Failure({says::measured_nothing, {{"file", path}}});
   std::stable_sort(points.begin(), points.end(),
                    [](MeasuredPoint const& a, MeasuredPoint const& b) { return a.frequency < b.frequency; });
   return points;

@@ -60,7 +60,7 @@ class PathFigure {
   using Sample = PathRecorder::Sample;
 
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
-    return render({.sentence = text, .arguments = std::move(arguments)}, language_);
+    return render({text, std::move(arguments)}, language_);
   }
 
   [[nodiscard]] std::string rounded(double value) const {

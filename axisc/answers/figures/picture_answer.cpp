@@ -38,13 +38,13 @@ namespace {
 
 void require_parts(PictureQuestion const& question) {
   if (question.kind == PictureKind::path && !question.program) {
-    throw Failure({.sentence = says::path_needs, .arguments = {}});
+    throw Failure({says::path_needs});
   }
   if (question.kind == PictureKind::compare && !question.recording) {
-    throw Failure({.sentence = says::compare_needs, .arguments = {}});
+    throw Failure({says::compare_needs});
   }
   if (question.kind == PictureKind::plant && (!question.plant || !question.move)) {
-    throw Failure({.sentence = says::plant_needs, .arguments = {}});
+    throw Failure({says::plant_needs});
   }
 }
 
@@ -82,7 +82,7 @@ GroupChains chains_of(PictureQuestion const& question, InputImage const& input, 
   bool const names_order =
       std::any_of(orders.begin(), orders.end(), [](auto order) { return order.has_value(); });
   if (names_order && !input.machine) {
-    throw Failure({.sentence = says::order_of_image, .arguments = {{"file", path}}});
+    throw Failure({says::order_of_image, {{"file", path}}});
   }
   return group_chains(input, question.group ? question.group : input.group(), question.contour, path);
 }
@@ -122,8 +122,7 @@ pictures::Figure axes_figure(PictureQuestion const& question, Plotted& now, Plot
 CheckedMachine const& machine_of(PictureQuestion const& question, InputImage const& input,
                                  std::string const& path) {
   if (input.machine) return *input.machine;
-  throw Failure({.sentence = says::kind_of_image,
-                 .arguments = {{"kind", std::string(word_of(question.kind))}, {"file", path}}});
+  throw Failure({says::kind_of_image, {{"kind", std::string(word_of(question.kind))}, {"file", path}}});
 }
 
 pictures::Figure driven_figure(PictureQuestion const& question, Plotted& now, Plotted* before) {
@@ -161,7 +160,7 @@ std::pair<std::size_t, std::size_t> plane_of(std::optional<std::string> const& w
   }
   std::string names;
   for (auto const& axis : axes) names += (names.empty() ? "" : ", ") + axis;
-  throw Failure({.sentence = says::bad_plane, .arguments = {{"axes", names}, {"value", *word}}});
+  throw Failure({says::bad_plane, {{"axes", names}, {"value", *word}}});
 }
 
 /// None after mistakes in the program, which are printed.

@@ -62,7 +62,7 @@ class PlantFigure {
 
  private:
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
-    return render({.sentence = text, .arguments = std::move(arguments)}, language_);
+    return render({text, std::move(arguments)}, language_);
   }
 
   void add_table(pictures::Figure& figure) const {

@@ -15,9 +15,8 @@ namespace axisc {
 
 void PlotSubject::require_drawable() const {
   if (axes.size() <= most_drawn_axes) return;
-  throw Failure(
-      {.sentence = says::too_many_drawn,
-       .arguments = {{"most", std::to_string(most_drawn_axes)}, {"axes", std::to_string(axes.size())}}});
+  throw Failure({says::too_many_drawn,
+                 {{"most", std::to_string(most_drawn_axes)}, {"axes", std::to_string(axes.size())}}});
 }
 
 std::string PlotSubject::names() const {

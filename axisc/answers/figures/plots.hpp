@@ -45,7 +45,7 @@ struct PlotSubject {
   /// "X, Y".
   [[nodiscard]] std::string names() const;
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
-    return render({.sentence = text, .arguments = std::move(arguments)}, language);
+    return render({text, std::move(arguments)}, language);
   }
   /// Failure for more than most_drawn_axes.
   void require_drawable() const;
@@ -94,7 +94,7 @@ struct ContourSubject {
   Language language = Language::english;
 
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
-    return render({.sentence = text, .arguments = std::move(arguments)}, language);
+    return render({text, std::move(arguments)}, language);
   }
 };
 

@@ -32,7 +32,7 @@ void pad(std::string& line, std::size_t column) {
 std::string inspect_as_list(InspectQuestion const& question, image::ImageContents const& image,
                             Language language) {
   if (image.lists.empty()) {
-    throw Failure({.sentence = says::without_lists, .arguments = {{"file", question.image}}});
+    throw Failure({says::without_lists, {{"file", question.image}}});
   }
   std::string text;
   for (auto const index : chosen_axes(image, question.axis)) {
@@ -44,11 +44,10 @@ std::string inspect_as_list(InspectQuestion const& question, image::ImageContent
       values = std::max(values, std::min(presentation::display_width(printable(value.value)), widest_column));
     }
     if (!text.empty()) text += "\n";
-    text += "# " +
-            render({.sentence = says::heading,
-                    .arguments = {{"axis", axis_label(image, index)}, {"file", question.image}}},
-                   language) +
-            "\n";
+    text +=
+        "# " +
+        render({says::heading, {{"axis", axis_label(image, index)}, {"file", question.image}}}, language) +
+        "\n";
     for (auto const& value : axis.values) {
       std::string line = printable(value.name);
       pad(line, names + 2);

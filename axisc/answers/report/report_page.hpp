@@ -32,7 +32,7 @@ struct ReportSubject {
   Language language = Language::english;
 
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
-    return render({.sentence = text, .arguments = std::move(arguments)}, language);
+    return render({text, std::move(arguments)}, language);
   }
 };
 

@@ -71,7 +71,7 @@ void pass_on(motion::ProgramProblem problem, std::string const& path, TakeProble
   bool const ignored = problem.finding.severity != Severity::error;
   if (ignored || problem.finding.name == "cannot-simulate") {
     SentenceRef const help = ignored ? says::not_simulated_first : says::cannot_simulate_help;
-    problem.finding.help.push_back({.sentence = help, .arguments = {}});
+    problem.finding.help.push_back({help});
   }
   take(problem.finding, sources);
 }
@@ -93,8 +93,7 @@ void tell_uncomputed(machine::Machine const& machine, machine::MachineGroup cons
     finding.code = not_simulated_code;
     finding.severity = Severity::warning;
     finding.name = "not-simulated";
-    finding.message = {.sentence = says::not_computed,
-                       .arguments = {{"parameter", parameter.name}, {"number", parameter.number}}};
+    finding.message = {says::not_computed, {{"parameter", parameter.name}, {"number", parameter.number}}};
     finding.place =
         Place{.source = source,
               .span = {.begin = begin, .end = begin + static_cast<std::uint32_t>(parameter.name.size())}};
@@ -123,22 +122,20 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
   if (failure.endless_line) {
     double const seconds = static_cast<double>(request.most_cycles) * machine.cycle_time.seconds();
     throw Failure(request.program_path + ":" + std::to_string(*failure.endless_line),
-                  {{.sentence = says::too_many_cycles,
-                    .arguments = {{"cycles", std::to_string(request.most_cycles)},
-                                  {"time", format_rounded(seconds, 4)}}}},
+                  {{says::too_many_cycles,
+                    {{"cycles", std::to_string(request.most_cycles)}, {"time", format_rounded(seconds, 4)}}}},
                   std::nullopt);
   }
   if (failure.blocking_axis) {
-    throw Failure({.sentence = says::blocks_constant,
-                   .arguments = {{"axis", machine.axes[group.axes[*failure.blocking_axis]].name},
-                                 {"group", group.name}}});
+    throw Failure({says::blocks_constant,
+                   {{"axis", machine.axes[group.axes[*failure.blocking_axis]].name}, {"group", group.name}}});
   }
   if (!failure.command.empty()) {
-    throw Failure({.sentence = says::simulation_bank, .arguments = {{"command", failure.command}}});
+    throw Failure({says::simulation_bank, {{"command", failure.command}}});
   }
-  throw Failure({.sentence = says::runtime,
-                 .arguments = {{"status", axisrt_status_name(failure.status)},
-                               {"reason", axisrt_status_text(failure.status)}}});
+  throw Failure(
+      {says::runtime,
+       {{"status", axisrt_status_name(failure.status)}, {"reason", axisrt_status_text(failure.status)}}});
 }
 
 }  // namespace
@@ -203,11 +200,11 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
 
 Failure not_kept(motion::PassSummary const& pass, std::string const& path) {
   auto const um = [](double units) { return format_rounded(units / motion::units_per_um, 4); };
-  return Failure(path + ":" + std::to_string(pass.line),
-                 {{.sentence = says::tolerance_exceeded,
-                   .arguments = {{"error", um(pass.largest_axis_error())},
-                                 {"tolerance", um(pass.tolerance.value_or(0))}}}},
-                 std::nullopt);
+  return Failure(
+      path + ":" + std::to_string(pass.line),
+      {{says::tolerance_exceeded,
+        {{"error", um(pass.largest_axis_error())}, {"tolerance", um(pass.tolerance.value_or(0))}}}},
+      std::nullopt);
 }
 
 }  // namespace axisc

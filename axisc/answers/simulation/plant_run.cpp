@@ -37,9 +37,7 @@ struct Move {
 
 /// AXIS:MM or AXIS:MM:MM_PER_MIN.
 Move read_move(std::string const& word) {
-  auto const refuse = [&]() -> Failure {
-    return Failure({.sentence = says::bad_move, .arguments = {{"value", word}}});
-  };
+  auto const refuse = [&]() -> Failure { return Failure({says::bad_move, {{"value", word}}}); };
   auto const first = word.find(':');
   if (first == std::string::npos || first == 0) throw refuse();
   Move move;
@@ -98,8 +96,7 @@ PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked, b
   double const cycles = 2 * std::abs(wanted.distance_mm) * motion::units_per_mm / (feed * T);
   if (!(cycles <= most_cycles)) {
     throw Failure(
-        {.sentence = says::slow_move,
-         .arguments = {{"cycles", format_rounded(cycles, 3)}, {"most", format_rounded(most_cycles, 1)}}});
+        {says::slow_move, {{"cycles", format_rounded(cycles, 3)}, {"most", format_rounded(most_cycles, 1)}}});
   }
   motion::AxisMove const move{.axis = index,
                               .distance = wanted.distance_mm * motion::units_per_mm,

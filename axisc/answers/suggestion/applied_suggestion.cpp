@@ -49,14 +49,14 @@ Found found_in(Suggested const& suggested, std::size_t number) {
   }
   auto const* const ramps = suggested.ramps ? &*suggested.ramps : nullptr;
   if (number == ramps_number && ramps == nullptr) {
-    throw Failure({.sentence = says::step_has_no_ramps, .arguments = {}});
+    throw Failure({says::step_has_no_ramps});
   }
   if (number == ramps_number && ramps->quickest() != nullptr) {
     return {{{.title = ramps_name(*ramps), .blocks = {}}, ramps->edits}, ramps->findings};
   }
   auto const* const suggestion = suggested.suggestion();
   if (number >= damping_number || suggestion == nullptr) {
-    throw Failure({.sentence = says::nothing_to_apply, .arguments = {{"number", std::to_string(number)}}});
+    throw Failure({says::nothing_to_apply, {{"number", std::to_string(number)}}});
   }
   auto const index = suggestion->proposed.at(number - 1);
   auto const& alternative = suggestion->alternatives.at(index);
@@ -68,10 +68,10 @@ Found found_in(Suggested const& suggested, std::size_t number) {
 std::size_t suggestion_number(std::string const& word, bool has_plant) {
   auto const number = parse_count(word);
   if (!number || *number < 1 || *number > ramps_number) {
-    throw Failure({.sentence = says::bad_apply, .arguments = {{"value", word}}});
+    throw Failure({says::bad_apply, {{"value", word}}});
   }
   if (*number == damping_number && !has_plant) {
-    throw Failure({.sentence = says::apply_needs_plant, .arguments = {}});
+    throw Failure({says::apply_needs_plant});
   }
   return *number;
 }
@@ -79,17 +79,16 @@ std::size_t suggestion_number(std::string const& word, bool has_plant) {
 ChosenSuggestion chosen_suggestion(Suggested const& suggested, std::size_t number, std::string const& named) {
   auto found = found_in(suggested, number);
   auto const& edits = found.chosen.edits;
-  if (edits.refused) throw Failure({.sentence = says::not_editable, .arguments = {{"file", *edits.refused}}});
+  if (edits.refused) throw Failure({says::not_editable, {{"file", *edits.refused}}});
   if (!found.findings.empty()) {
     std::string codes;
     for (auto const& code : found.findings) codes += (codes.empty() ? "" : ", ") + code;
-    throw Failure({.sentence = says::has_findings,
-                   .arguments = {{"number", std::to_string(number)}, {"codes", codes}}});
+    throw Failure({says::has_findings, {{"number", std::to_string(number)}, {"codes", codes}}});
   }
   ChangeableFiles const changeable({named});
   for (auto const& [path, bytes] : edits.edited) {
     if (!changeable.contains(path)) {
-      throw Failure({.sentence = says::not_named, .arguments = {{"file", path}}});
+      throw Failure({says::not_named, {{"file", path}}});
     }
   }
   return std::move(found.chosen);
@@ -97,7 +96,7 @@ ChosenSuggestion chosen_suggestion(Suggested const& suggested, std::size_t numbe
 
 std::vector<Message> notes_of(ListEdits const& edits) {
   if (!edits.edited.empty()) return {};
-  return {{.sentence = says::nothing_written, .arguments = {}}};
+  return {{says::nothing_written}};
 }
 
 std::vector<Message> write_lists(ListEdits const& edits) {
@@ -112,7 +111,7 @@ std::vector<Message> write_lists(ListEdits const& edits) {
     throw;
   }
   auto notes = notes_of(edits);
-  for (auto const& path : done) notes.push_back({.sentence = says::written, .arguments = {{"file", path}}});
+  for (auto const& path : done) notes.push_back({says::written, {{"file", path}}});
   return notes;
 }
 

@@ -76,8 +76,7 @@ recordings::ByteSource limited_source(std::string const& path) {
     auto const got = source(buffer);
     total += got;
     if (total > largest_file) {
-      throw Failure({.sentence = says::too_large,
-                     .arguments = {{"file", path}, {"limit", std::to_string(largest_file >> 20U)}}},
+      throw Failure({says::too_large, {{"file", path}, {"limit", std::to_string(largest_file >> 20U)}}},
                     csv_malformed);
     }
     return got;
@@ -98,10 +97,9 @@ MeasuredResonances measured_resonances(std::string const& path, tuning::SignalCo
                                        double highest) {
   auto const read = tuning::read_measurement(limited_source(path), columns);
   if (auto const* const bad = std::get_if<tuning::BadMeasurement>(&read)) {
-    throw Failure(
-        {.sentence = problems[static_cast<std::size_t>(bad->problem)],
-         .arguments = {{"file", path}, {"line", std::to_string(bad->line)}, {"column", bad->column}}},
-        csv_malformed);
+    throw Failure({problems[static_cast<std::size_t>(bad->problem)],
+                   {{"file", path}, {"line", std::to_string(bad->line)}, {"column", bad->column}}},
+                  csv_malformed);
   }
   auto const& measurement = std::get<tuning::Measurement>(read);
   auto found = tuning::identify(measurement, highest);

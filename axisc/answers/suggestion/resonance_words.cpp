@@ -20,9 +20,8 @@ namespace axisc {
 
 std::vector<tuning::Resonance> read_resonances(std::string const& words, design::CycleTime cycle_time) {
   auto const refuse = [&] {
-    return Failure(
-        {.sentence = says::bad_resonance,
-         .arguments = {{"nyquist", format_rounded(cycle_time.nyquist().value, 6)}, {"value", words}}});
+    return Failure({says::bad_resonance,
+                    {{"nyquist", format_rounded(cycle_time.nyquist().value, 6)}, {"value", words}}});
   };
   std::vector<tuning::Resonance> found;
   for (auto const& word : split_list(words)) {

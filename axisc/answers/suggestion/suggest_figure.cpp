@@ -31,7 +31,7 @@ constexpr double highest_gain = 10;
 constexpr int frequencies = 400;
 
 std::string say(Language language, SentenceRef text, std::vector<Argument> arguments = {}) {
-  return render({.sentence = text, .arguments = std::move(arguments)}, language);
+  return render({text, std::move(arguments)}, language);
 }
 
 struct Shown {
@@ -110,7 +110,7 @@ pictures::Panel step_panel(std::vector<Shown> const& settings, double T, Languag
 }  // namespace
 
 pictures::Figure suggest_figure(Suggested const& suggested, Language language) {
-  if (suggested.suggestion() == nullptr) throw Failure({.sentence = says::nothing_to_draw, .arguments = {}});
+  if (suggested.suggestion() == nullptr) throw Failure({says::nothing_to_draw});
   auto const& suggestion = *suggested.suggestion();
   auto const settings = shown_settings(suggestion, language);
   double const T = suggestion.cycle_time.seconds();

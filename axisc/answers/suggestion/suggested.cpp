@@ -49,7 +49,7 @@ std::size_t group_of(machine::Machine const& machine, std::size_t axis) {
     if (std::find(axes.begin(), axes.end(), axis) != axes.end()) return i;
   }
   if (machine.axes[axis].gantry_master) return group_of(machine, *machine.axes[axis].gantry_master);
-  throw Failure({.sentence = says::no_channel, .arguments = {{"axis", machine.axes[axis].name}}});
+  throw Failure({says::no_channel, {{"axis", machine.axes[axis].name}}});
 }
 
 /// With the slope that the question wants.
@@ -74,8 +74,7 @@ tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& s
   double const limit = axis.velocity_limit * mm_per_min_of_um_per_s;
   if (limit > 0 && feed > limit) {
     feed = limit;
-    remark = {.sentence = says::feed_limited,
-              .arguments = {{"axis", axis.name}, {"limit", format_rounded(limit, 6)}}};
+    remark = {says::feed_limited, {{"axis", axis.name}, {"limit", format_rounded(limit, 6)}}};
   }
   auto const& build = subject.loaded.build;
   bool const knows_fir = !build || !(*build < validator::builds::fir_command);
@@ -93,19 +92,19 @@ tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& s
 Message nothing_helps(NoSuggestion const& none, SuggestQuestion const& question) {
   bool const keeps = none.keeps > 0;
   constexpr double percent = 100;
-  return {.sentence = keeps ? SentenceRef(says::too_weak) : SentenceRef(says::too_strict),
-          .arguments = {{"count", std::to_string(keeps ? none.keeps : none.looked_at)},
-                        {"tolerance", exact_number(question.tolerance_mm)},
-                        {"radius", exact_number(question.radius_mm)},
-                        {"feed", format_rounded(question.feed_mm_per_min, 6)},
-                        {"left", format_rounded(none.least_vibration * percent, 3)}}};
+  return {keeps ? SentenceRef(says::too_weak) : SentenceRef(says::too_strict),
+          {{"count", std::to_string(keeps ? none.keeps : none.looked_at)},
+           {"tolerance", exact_number(question.tolerance_mm)},
+           {"radius", exact_number(question.radius_mm)},
+           {"feed", format_rounded(question.feed_mm_per_min, 6)},
+           {"left", format_rounded(none.least_vibration * percent, 3)}}};
 }
 
 }  // namespace
 
 std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& question,
                                  ErrorSink const& errors) {
-  auto const refuse = [](SentenceRef why) { return Failure({.sentence = why, .arguments = {}}); };
+  auto const refuse = [](SentenceRef why) { return Failure({why}); };
   auto const& [in, out] = question.columns;
   if (question.resonances.has_value() == question.measured.has_value()) throw refuse(says::one_source);
   if (!question.measured && (in || out)) throw refuse(says::of_measured);
