@@ -67,8 +67,7 @@ class FilterModel {
         next_ = (next_ + 1) % line_.size();
         return Arithmetic::multiply_add(direct + direct_low, x - delayed, delayed);
       }
-      case design::Realisation::pass_through:
-        break;
+      case design::Realisation::pass_through: break;
     }
     return x;
   }

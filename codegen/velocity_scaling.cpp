@@ -17,12 +17,9 @@ Exact time_base(machine::DriveScaling const& scaling, design::CycleTime cycle_ti
   constexpr int seconds_per_minute = 60;
   constexpr int nanoseconds_per_second = 1'000'000'000;
   switch (scaling.time_base) {
-    case 0:
-      return {seconds_per_minute};
-    case 1:
-      return {1};
-    default:
-      return Exact(cycle_time.nanoseconds) / nanoseconds_per_second;
+    case 0: return {seconds_per_minute};
+    case 1: return {1};
+    default: return Exact(cycle_time.nanoseconds) / nanoseconds_per_second;
   }
 }
 
@@ -44,8 +41,7 @@ double increments_per_velocity(machine::DriveScaling const& scaling, design::Cyc
     case machine::PositionController::cnc:
       return static_cast<double>(
           Exact(Exact(6) * Exact(scaling.multi_gain_z) / (Exact(scaling.multi_gain_n) * 100'000)));
-    case machine::PositionController::unknown:
-      break;
+    case machine::PositionController::unknown: break;
   }
   return 0;
 }

@@ -70,23 +70,16 @@ bool is_in_range(JsonShape const& shape, double number) {
 
 bool is_of_kind(JsonShape const& shape, JsonValue const& value) {
   switch (shape.kind) {
-    case Kind::null:
-      return value.kind == JsonKind::null;
-    case Kind::flag:
-      return value.kind == JsonKind::boolean;
+    case Kind::null: return value.kind == JsonKind::null;
+    case Kind::flag: return value.kind == JsonKind::boolean;
     case Kind::number:
-    case Kind::whole_number:
-      return value.kind == JsonKind::number;
-    case Kind::text:
-      return value.kind == JsonKind::string;
-    case Kind::list:
-      return value.kind == JsonKind::array;
+    case Kind::whole_number: return value.kind == JsonKind::number;
+    case Kind::text: return value.kind == JsonKind::string;
+    case Kind::list: return value.kind == JsonKind::array;
     case Kind::object:
-    case Kind::map:
-      return value.kind == JsonKind::object;
+    case Kind::map: return value.kind == JsonKind::object;
     case Kind::anything:
-    case Kind::either:
-      break;
+    case Kind::either: break;
   }
   return true;
 }
@@ -150,23 +143,16 @@ class Checker {
     Argument const name{"key", std::string(key)};
     Span const span = value.span;
     switch (shape.kind) {
-      case Kind::flag:
-        add(span, says::flag, {name});
-        break;
+      case Kind::flag: add(span, says::flag, {name}); break;
       case Kind::number:
       case Kind::whole_number: {
         JsonProblem& problem = add(span, number_sentence(shape), {name, {"range", range_text(shape)}});
         if (value.kind == JsonKind::string) problem.number = number_meant(shape, key, value.string);
         break;
       }
-      case Kind::text:
-        add(span, says::text, {name});
-        break;
-      case Kind::list:
-        add(span, list_sentence(*shape.items), {name});
-        break;
-      default:
-        add(span, says::object);
+      case Kind::text: add(span, says::text, {name}); break;
+      case Kind::list: add(span, list_sentence(*shape.items), {name}); break;
+      default: add(span, says::object);
     }
   }
 
@@ -181,23 +167,12 @@ class Checker {
         check_.readable[index] = false;
         refuse(shape, value.span, key, exact_number(value.number), number_sentence(shape));
         break;
-      case Kind::text:
-        check_.readable[index] = check_text(shape, value.string, value.span, key);
-        break;
-      case Kind::list:
-        check_list(shape, value, key);
-        break;
-      case Kind::object:
-        check_object(shape, value);
-        break;
-      case Kind::map:
-        check_map(shape, value, key);
-        break;
-      case Kind::either:
-        check_alternatives(shape, index, key);
-        break;
-      default:
-        break;
+      case Kind::text: check_.readable[index] = check_text(shape, value.string, value.span, key); break;
+      case Kind::list: check_list(shape, value, key); break;
+      case Kind::object: check_object(shape, value); break;
+      case Kind::map: check_map(shape, value, key); break;
+      case Kind::either: check_alternatives(shape, index, key); break;
+      default: break;
     }
   }
 

@@ -17,12 +17,9 @@ Span value_span(SourceText const& text, grammar::Assignment const& assignment) {
     case ValueKind::integer:
     case ValueKind::hexadecimal:
     case ValueKind::real:
-    case ValueKind::reference:
-      return assignment.value;
-    case ValueKind::quoted:
-      return {.begin = assignment.value.begin + 1, .end = assignment.value.end - 1};
-    default:
-      return grammar::free_text(text.bytes(), assignment);
+    case ValueKind::reference: return assignment.value;
+    case ValueKind::quoted: return {.begin = assignment.value.begin + 1, .end = assignment.value.end - 1};
+    default: return grammar::free_text(text.bytes(), assignment);
   }
 }
 

@@ -141,16 +141,11 @@ struct Discretiser {
 
   [[nodiscard]] Section<Number> operator()(Denominator<Number> const& c, Numerator<Number> const& n) const {
     switch (method) {
-      case Discretisation::backward_euler:
-        return backward_euler(c, n, t);
-      case Discretisation::forward_euler:
-        return forward_euler(c, n, t);
-      case Discretisation::matched:
-        return matched(c, n, t, true);
-      case Discretisation::matched_poles:
-        return matched(c, n, t, false);
-      case Discretisation::bilinear:
-        break;
+      case Discretisation::backward_euler: return backward_euler(c, n, t);
+      case Discretisation::forward_euler: return forward_euler(c, n, t);
+      case Discretisation::matched: return matched(c, n, t, true);
+      case Discretisation::matched_poles: return matched(c, n, t, false);
+      case Discretisation::bilinear: break;
     }
     return bilinear(c, n, t);
   }

@@ -73,12 +73,9 @@ Value blended(Share const& share, Value const& full) {
 
 Value filter_at(FilterDesign const& filter, double theta) {
   switch (filter.realisation) {
-    case Realisation::pass_through:
-      return {};
-    case Realisation::delay:
-      return blended(filter.share, delay_at(filter.delay_cycles, theta));
-    case Realisation::sections:
-      break;
+    case Realisation::pass_through: return {};
+    case Realisation::delay: return blended(filter.share, delay_at(filter.delay_cycles, theta));
+    case Realisation::sections: break;
   }
   Point const at = point_at(theta);
   Value full;

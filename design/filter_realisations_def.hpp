@@ -49,14 +49,10 @@ template <typename Number>
 
 [[nodiscard]] constexpr Discretisation method_of(FilterReading reading) {
   switch (reading) {
-    case FilterReading::backward_euler:
-      return Discretisation::backward_euler;
-    case FilterReading::forward_euler:
-      return Discretisation::forward_euler;
-    case FilterReading::matched:
-      return Discretisation::matched;
-    case FilterReading::matched_poles:
-      return Discretisation::matched_poles;
+    case FilterReading::backward_euler: return Discretisation::backward_euler;
+    case FilterReading::forward_euler: return Discretisation::forward_euler;
+    case FilterReading::matched: return Discretisation::matched;
+    case FilterReading::matched_poles: return Discretisation::matched_poles;
     case FilterReading::documented:
     case FilterReading::no_prewarping:
     case FilterReading::poles_at_frequency:
@@ -64,8 +60,7 @@ template <typename Number>
     case FilterReading::half_gain_at_frequency:
     case FilterReading::quality_of_poles:
     case FilterReading::bessel_delay:
-    case FilterReading::allpass_phase:
-      break;
+    case FilterReading::allpass_phase: break;
   }
   return Discretisation::bilinear;
 }

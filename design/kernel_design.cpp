@@ -55,18 +55,13 @@ std::uint32_t tap_count(KernelSpecification const& specification, CycleTime cycl
   std::uint32_t const N = specification.order;
   if (specification.type == KernelType::time_delay) return N + 1;
   switch (applied_reading(specification)) {
-    case KernelReading::taps_n:
-      return N;
-    case KernelReading::taps_n_plus_1:
-      return N + 1;
-    case KernelReading::half_width_rounded_down:
-      return 2 * (N / 2) + 1;
-    case KernelReading::order_is_half_width:
-      return 2 * N + 1;
+    case KernelReading::taps_n: return N;
+    case KernelReading::taps_n_plus_1: return N + 1;
+    case KernelReading::half_width_rounded_down: return 2 * (N / 2) + 1;
+    case KernelReading::order_is_half_width: return 2 * N + 1;
     case KernelReading::novib_one_box:
       return novib_order(specification.frequency, as_read(cycle_time, specification.cycle_time)) / 2 + 1;
-    default:
-      break;
+    default: break;
   }
   if (specification.type == KernelType::novib) {
     return novib_order(specification.frequency, as_read(cycle_time, specification.cycle_time)) + 1;

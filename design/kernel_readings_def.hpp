@@ -19,14 +19,10 @@ template <typename Number>
 /// h/σ of the Gaussian at quality 1, times 2.
 [[nodiscard]] constexpr int twice_gaussian_width(KernelReading reading) {
   switch (reading) {
-    case KernelReading::gaussian_width_1:
-      return 2;
-    case KernelReading::gaussian_width_2:
-      return 4;
-    case KernelReading::gaussian_width_3:
-      return 6;
-    default:
-      break;
+    case KernelReading::gaussian_width_1: return 2;
+    case KernelReading::gaussian_width_2: return 4;
+    case KernelReading::gaussian_width_3: return 6;
+    default: break;
   }
   return 5;
 }
@@ -37,14 +33,10 @@ template <typename Number>
   using std::cos;
   Number const angle = pi<Number>() * x;
   switch (reading) {
-    case KernelReading::sinc_no_window:
-      return Number(100);
-    case KernelReading::sinc_hann:
-      return Number(50 + 50 * cos(angle));
-    case KernelReading::sinc_blackman:
-      return Number(42 + 50 * cos(angle) + 8 * cos(Number(2 * angle)));
-    default:
-      break;
+    case KernelReading::sinc_no_window: return Number(100);
+    case KernelReading::sinc_hann: return Number(50 + 50 * cos(angle));
+    case KernelReading::sinc_blackman: return Number(42 + 50 * cos(angle) + 8 * cos(Number(2 * angle)));
+    default: break;
   }
   return Number(54 + 46 * cos(angle));
 }
@@ -71,12 +63,10 @@ template <typename Number>
 [[nodiscard]] HalfKernel<Number> documented_half(KernelSpecification const& wanted, CycleTime cycle_time,
                                                  std::uint32_t h) {
   switch (wanted.type) {
-    case KernelType::gaussian:
-      return gaussian(h, Number(wanted.quality));
+    case KernelType::gaussian: return gaussian(h, Number(wanted.quality));
     case KernelType::windowed_sinc:
       return windowed_sinc(h, angle_per_cycle<Number>(wanted.frequency, cycle_time));
-    case KernelType::novib:
-      return novib(h / 2, angle_per_cycle<Number>(wanted.frequency, cycle_time));
+    case KernelType::novib: return novib(h / 2, angle_per_cycle<Number>(wanted.frequency, cycle_time));
     case KernelType::moving_average:
     case KernelType::time_delay:  // not symmetrical
       break;

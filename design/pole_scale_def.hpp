@@ -68,8 +68,7 @@ template <typename Number>
     case FilterReading::half_gain_at_frequency:
       return 1 /
              crossing<Number>([&](Number const& omega) { return Number(1 - 4 * power_at(poles, omega)); });
-    case FilterReading::bessel_delay:
-      return delay_at_rest(poles);
+    case FilterReading::bessel_delay: return delay_at_rest(poles);
     case FilterReading::allpass_phase: {
       int count = 0;
       for (auto const& p : poles) count += p.im == 0 ? 1 : 2;
@@ -82,8 +81,7 @@ template <typename Number>
     case FilterReading::forward_euler:
     case FilterReading::matched:
     case FilterReading::matched_poles:
-    case FilterReading::analogue_quality:
-      break;
+    case FilterReading::analogue_quality: break;
   }
   return Number(1);
 }

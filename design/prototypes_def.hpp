@@ -86,12 +86,9 @@ template <typename Number>
 template <typename Number>
 [[nodiscard]] Poles<Number> prototype_poles(Prototype prototype, std::uint32_t order) {
   switch (prototype) {
-    case Prototype::butterworth:
-      return butterworth_poles<Number>(order);
-    case Prototype::bessel:
-      return bessel_poles<Number>(order);
-    case Prototype::critical_damping:
-      break;
+    case Prototype::butterworth: return butterworth_poles<Number>(order);
+    case Prototype::bessel: return bessel_poles<Number>(order);
+    case Prototype::critical_damping: break;
   }
   return critical_damping_poles<Number>(order);
 }

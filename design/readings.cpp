@@ -11,16 +11,13 @@ bool changes(FilterReading reading, FilterSpecification const& wanted) {
   switch (reading) {
     case FilterReading::no_prewarping:
     case FilterReading::backward_euler:
-    case FilterReading::forward_euler:
-      return true;
+    case FilterReading::forward_euler: return true;
     case FilterReading::matched:
-    case FilterReading::matched_poles:
-      return !kind.blocks_constant;
+    case FilterReading::matched_poles: return !kind.blocks_constant;
     case FilterReading::poles_at_frequency:
       return kind.uses_prototype && !kind.quality && wanted.prototype == Prototype::critical_damping &&
              wanted.order > 1;
-    case FilterReading::analogue_quality:
-      return kind.quality.has_value();
+    case FilterReading::analogue_quality: return kind.quality.has_value();
     case FilterReading::half_gain_at_frequency:
       return wanted.type == FilterType::lowpass || wanted.type == FilterType::highpass;
     case FilterReading::quality_of_poles:
@@ -31,8 +28,7 @@ bool changes(FilterReading reading, FilterSpecification const& wanted) {
     case FilterReading::allpass_phase:  // Butterworth filters do so anyway
       return wanted.type == FilterType::allpass && wanted.prototype != Prototype::butterworth &&
              wanted.order > 1;
-    case FilterReading::documented:
-      break;
+    case FilterReading::documented: break;
   }
   return false;
 }
@@ -46,24 +42,18 @@ bool changes(KernelReading reading, KernelSpecification const& wanted) {
     case KernelReading::taps_n:
     case KernelReading::taps_n_plus_1:
     case KernelReading::half_width_rounded_down:
-    case KernelReading::order_is_half_width:
-      return has_order(wanted.type);
+    case KernelReading::order_is_half_width: return has_order(wanted.type);
     case KernelReading::gaussian_width_1:
     case KernelReading::gaussian_width_2:
-    case KernelReading::gaussian_width_3:
-      return wanted.type == KernelType::gaussian;
+    case KernelReading::gaussian_width_3: return wanted.type == KernelType::gaussian;
     case KernelReading::sinc_hann:
     case KernelReading::sinc_blackman:
-    case KernelReading::sinc_no_window:
-      return wanted.type == KernelType::windowed_sinc;
-    case KernelReading::novib_one_box:
-      return wanted.type == KernelType::novib;
+    case KernelReading::sinc_no_window: return wanted.type == KernelType::windowed_sinc;
+    case KernelReading::novib_one_box: return wanted.type == KernelType::novib;
     case KernelReading::share_undelayed:
       return wanted.type != KernelType::time_delay && wanted.share_percent != 100;
-    case KernelReading::share_ignored:
-      return wanted.share_percent != 100;
-    case KernelReading::documented:
-      break;
+    case KernelReading::share_ignored: return wanted.share_percent != 100;
+    case KernelReading::documented: break;
   }
   return false;
 }

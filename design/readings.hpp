@@ -99,16 +99,11 @@ template <class Reading>
 /// The cycle time that filters are computed for, at least 1 ns.
 [[nodiscard]] constexpr CycleTime as_read(CycleTime cycle_time, CycleReading reading) {
   switch (reading) {
-    case CycleReading::twice:
-      return CycleTime{2 * cycle_time.nanoseconds};
-    case CycleReading::half:
-      return CycleTime{(cycle_time.nanoseconds + 1) / 2};
-    case CycleReading::fourfold:
-      return CycleTime{4 * cycle_time.nanoseconds};
-    case CycleReading::quarter:
-      return CycleTime{(cycle_time.nanoseconds + 3) / 4};
-    case CycleReading::documented:
-      break;
+    case CycleReading::twice: return CycleTime{2 * cycle_time.nanoseconds};
+    case CycleReading::half: return CycleTime{(cycle_time.nanoseconds + 1) / 2};
+    case CycleReading::fourfold: return CycleTime{4 * cycle_time.nanoseconds};
+    case CycleReading::quarter: return CycleTime{(cycle_time.nanoseconds + 3) / 4};
+    case CycleReading::documented: break;
   }
   return cycle_time;
 }

@@ -45,13 +45,11 @@ double most_of_section(IncrementSection const& section, bool blocks_constant, Ci
 
 double most_of_filter(FilterDesign const& filter, Circle circle) {
   switch (filter.realisation) {
-    case Realisation::pass_through:
-      return 1;
+    case Realisation::pass_through: return 1;
     case Realisation::delay:
       return std::abs(filter.share.direct) +
              std::abs(filter.share.filtered) * std::pow(circle.inverse, filter.delay_cycles);
-    case Realisation::sections:
-      break;
+    case Realisation::sections: break;
   }
   double most = 1;
   for (IncrementSection const& section : filter.sections) {

@@ -80,12 +80,9 @@ class FilterState {
 
   [[gnu::always_inline]] Signal step(Signal x) {
     switch (realisation_) {
-      case Realisation::pass_through:
-        return x;
-      case Realisation::delay:
-        return step_delay(x);
-      case Realisation::sections:
-        break;
+      case Realisation::pass_through: return x;
+      case Realisation::delay: return step_delay(x);
+      case Realisation::sections: break;
     }
     return blocks_constant_ ? step_blocking(x) : step_unit(x);
   }

@@ -21,15 +21,9 @@ std::string code_text(Code code) {
 
 void FindingCounts::add(Severity severity) {
   switch (severity) {
-    case Severity::error:
-      ++errors;
-      break;
-    case Severity::warning:
-      ++warnings;
-      break;
-    case Severity::note:
-      ++notes;
-      break;
+    case Severity::error: ++errors; break;
+    case Severity::warning: ++warnings; break;
+    case Severity::note: ++notes; break;
   }
 }
 

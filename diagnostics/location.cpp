@@ -18,12 +18,9 @@ std::string_view file_of(Finding const& finding, SourceSet const& sources) {
 
 std::string_view severity_name(Severity severity) {
   switch (severity) {
-    case Severity::error:
-      return "error";
-    case Severity::warning:
-      return "warning";
-    case Severity::note:
-      break;
+    case Severity::error: return "error";
+    case Severity::warning: return "warning";
+    case Severity::note: break;
   }
   return "note";
 }

@@ -34,20 +34,13 @@ bool are_eight_plain(char const* text) {
 
 std::string_view escape_of(Style style) {
   switch (style) {
-    case Style::error:
-      return "\x1b[1;31m";
-    case Style::warning:
-      return "\x1b[1;33m";
-    case Style::note:
-      return "\x1b[1;36m";
-    case Style::gutter:
-      return "\x1b[1;34m";
-    case Style::added:
-      return "\x1b[32m";
-    case Style::removed:
-      return "\x1b[31m";
-    case Style::strong:
-      break;
+    case Style::error: return "\x1b[1;31m";
+    case Style::warning: return "\x1b[1;33m";
+    case Style::note: return "\x1b[1;36m";
+    case Style::gutter: return "\x1b[1;34m";
+    case Style::added: return "\x1b[32m";
+    case Style::removed: return "\x1b[31m";
+    case Style::strong: break;
   }
   return "\x1b[1m";
 }

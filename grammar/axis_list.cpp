@@ -140,10 +140,8 @@ void AxisListReader::report(Failure<ProblemKind> const& failure, std::string_vie
   switch (failure.kind) {
     case ProblemKind::malformed_index:
       return problem(failure.kind, matched(syntax::broken_index, from_there));
-    case ProblemKind::unterminated_string:
-      return problem(failure.kind, from_there);
-    default:
-      return problem(failure.kind, first_word(line));
+    case ProblemKind::unterminated_string: return problem(failure.kind, from_there);
+    default: return problem(failure.kind, first_word(line));
   }
 }
 

@@ -37,51 +37,31 @@ bool nests_too_deep(std::string_view text) {
 
 double unary(Operation operation, double x) {
   switch (operation) {
-    case Operation::negate:
-      return -x;
-    case Operation::absolute:
-      return std::abs(x);
-    case Operation::square_root:
-      return std::sqrt(x);
-    case Operation::sine:
-      return std::sin(x * degree);
-    case Operation::cosine:
-      return std::cos(x * degree);
-    case Operation::tangent:
-      return std::tan(x * degree);
-    case Operation::whole_part:
-      return std::trunc(x);
-    default:
-      return x == 0 ? 1 : 0;
+    case Operation::negate: return -x;
+    case Operation::absolute: return std::abs(x);
+    case Operation::square_root: return std::sqrt(x);
+    case Operation::sine: return std::sin(x * degree);
+    case Operation::cosine: return std::cos(x * degree);
+    case Operation::tangent: return std::tan(x * degree);
+    case Operation::whole_part: return std::trunc(x);
+    default: return x == 0 ? 1 : 0;
   }
 }
 
 double binary(Operation operation, double x, double y) {
   switch (operation) {
-    case Operation::add:
-      return x + y;
-    case Operation::subtract:
-      return x - y;
-    case Operation::multiply:
-      return x * y;
-    case Operation::divide:
-      return x / y;
-    case Operation::equal:
-      return x == y ? 1 : 0;
-    case Operation::unequal:
-      return x != y ? 1 : 0;
-    case Operation::less:
-      return x < y ? 1 : 0;
-    case Operation::less_or_equal:
-      return x <= y ? 1 : 0;
-    case Operation::greater:
-      return x > y ? 1 : 0;
-    case Operation::greater_or_equal:
-      return x >= y ? 1 : 0;
-    case Operation::logical_and:
-      return x != 0 && y != 0 ? 1 : 0;
-    default:
-      return x != 0 || y != 0 ? 1 : 0;
+    case Operation::add: return x + y;
+    case Operation::subtract: return x - y;
+    case Operation::multiply: return x * y;
+    case Operation::divide: return x / y;
+    case Operation::equal: return x == y ? 1 : 0;
+    case Operation::unequal: return x != y ? 1 : 0;
+    case Operation::less: return x < y ? 1 : 0;
+    case Operation::less_or_equal: return x <= y ? 1 : 0;
+    case Operation::greater: return x > y ? 1 : 0;
+    case Operation::greater_or_equal: return x >= y ? 1 : 0;
+    case Operation::logical_and: return x != 0 && y != 0 ? 1 : 0;
+    default: return x != 0 || y != 0 ? 1 : 0;
   }
 }
 

@@ -26,20 +26,14 @@ std::size_t size_of(std::uint64_t kind, std::size_t axes) {
   std::size_t const status = (axes + statuses_in_word - 1) / statuses_in_word;
   switch (kind) {
     case axrd_step:
-    case axrd_step_interface:
-      return 2 * axes + status;
-    case axrd_step_velocity:
-      return 5 * axes + status;
-    case axrd_reset_velocity:
-      return 3;
-    case axrd_command:
-      return axrd_command_words;
+    case axrd_step_interface: return 2 * axes + status;
+    case axrd_step_velocity: return 5 * axes + status;
+    case axrd_reset_velocity: return 3;
+    case axrd_command: return axrd_command_words;
     case axrd_reset:
     case axrd_reset_interface:
-    case axrd_rebase:
-      return 1;
-    default:
-      return 0;
+    case axrd_rebase: return 1;
+    default: return 0;
   }
 }
 
@@ -158,9 +152,7 @@ void Recording::call(ReplayedEntry& entry) {
   }
   entry.in = take_numbers(entry.kind == RecordedKind::reset_velocity ? 3 : 1);
   switch (entry.kind) {
-    case RecordedKind::reset:
-      entry.computed_status = axisrt_reset(runtime_, entry.index, entry.in[0]);
-      break;
+    case RecordedKind::reset: entry.computed_status = axisrt_reset(runtime_, entry.index, entry.in[0]); break;
     case RecordedKind::reset_interface:
       entry.computed_status = axisrt_reset_interface(runtime_, entry.index, entry.in[0]);
       break;
@@ -168,9 +160,7 @@ void Recording::call(ReplayedEntry& entry) {
       entry.computed_status =
           axisrt_reset_velocity(runtime_, entry.index, entry.in[0], entry.in[1], entry.in[2]);
       break;
-    default:
-      entry.computed_status = axisrt_rebase(runtime_, entry.index, entry.in[0]);
-      break;
+    default: entry.computed_status = axisrt_rebase(runtime_, entry.index, entry.in[0]); break;
   }
 }
 
@@ -190,18 +180,10 @@ bool Recording::next(ReplayedEntry& entry) {
   entry.index = static_cast<std::uint32_t>(head >> 32U);
   entry.cycle = cycle_;
   switch (entry.kind) {
-    case RecordedKind::step:
-      cycle_ += 1;
-      [[fallthrough]];
-    case RecordedKind::step_interface:
-      step(entry, flags);
-      break;
-    case RecordedKind::step_velocity:
-      step_velocity(entry, flags);
-      break;
-    default:
-      call(entry);
-      break;
+    case RecordedKind::step: cycle_ += 1; [[fallthrough]];
+    case RecordedKind::step_interface: step(entry, flags); break;
+    case RecordedKind::step_velocity: step_velocity(entry, flags); break;
+    default: call(entry); break;
   }
   return !damaged_;
 }

@@ -105,15 +105,9 @@ axisrt_status RuntimeHost::command(std::uint32_t group, machine::FilterCommand c
   axisrt_filter_command words{};
   words.size = sizeof words;
   switch (command.filter_switch) {
-    case machine::FilterSwitch::unchanged:
-      words.action = AXISRT_ACTION_SET;
-      break;
-    case machine::FilterSwitch::on:
-      words.action = AXISRT_ACTION_ON;
-      break;
-    case machine::FilterSwitch::off:
-      words.action = AXISRT_ACTION_OFF;
-      break;
+    case machine::FilterSwitch::unchanged: words.action = AXISRT_ACTION_SET; break;
+    case machine::FilterSwitch::on: words.action = AXISRT_ACTION_ON; break;
+    case machine::FilterSwitch::off: words.action = AXISRT_ACTION_OFF; break;
   }
   machine::FilterParameters const& parameters = command.parameters;
   if (command.hsc) words.keywords |= AXISRT_KEYWORD_HSC;

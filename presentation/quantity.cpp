@@ -70,10 +70,8 @@ UnitRow const* row_of(Unit unit) {
 
 Wording number_of(double value, Digits digits) {
   switch (digits.kind) {
-    case Digits::Kind::exact:
-      return exact_number(value);
-    case Digits::Kind::significant:
-      return format_rounded(value, digits.count);
+    case Digits::Kind::exact: return exact_number(value);
+    case Digits::Kind::significant: return format_rounded(value, digits.count);
     case Digits::Kind::decimals:
       // A number that rounds to zero has no sign.
       return format_fixed(std::abs(value) < std::pow(10.0, -digits.count) / 2 ? 0 : value, digits.count);

@@ -65,14 +65,11 @@ struct Target {
 Target target_of(Switching const& change, Slot const& slot, uint32_t member) {
   uint32_t const on_before = slot.state->on;
   switch (change.action) {
-    case AXISRT_ACTION_OFF:
-      return {.kernel = change.pass, .on = 0};
+    case AXISRT_ACTION_OFF: return {.kernel = change.pass, .on = 0};
     case AXISRT_ACTION_PROGRAM_END:
       return {.kernel = slot.on_at_start != 0 ? slot.listed : change.pass, .on = slot.on_at_start};
-    case AXISRT_ACTION_ON:
-      return {.kernel = change.bank->choices[member], .on = 1};
-    default:
-      return {.kernel = on_before != 0 ? change.bank->choices[member] : change.pass, .on = on_before};
+    case AXISRT_ACTION_ON: return {.kernel = change.bank->choices[member], .on = 1};
+    default: return {.kernel = on_before != 0 ? change.bank->choices[member] : change.pass, .on = on_before};
   }
 }
 
@@ -88,16 +85,14 @@ void for_each_slot(Channel const& channel, Switching const& change, Visit visit)
 /// 0 where only standstill allows it.
 uint32_t fade_cycles(Channel const& channel, Switching const& change) {
   switch (change.action) {
-    case AXISRT_ACTION_OFF:
-      return channel.off_fade_cycles;
+    case AXISRT_ACTION_OFF: return channel.off_fade_cycles;
     case AXISRT_ACTION_PROGRAM_END: {
       uint32_t const on = channel.banks[0].fade_cycles;
       uint32_t const off = channel.off_fade_cycles;
       if (on == 0 || off == 0) return 0;
       return on > off ? on : off;
     }
-    default:
-      return change.bank->fade_cycles;
+    default: return change.bank->fade_cycles;
   }
 }
 

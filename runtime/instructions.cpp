@@ -76,16 +76,11 @@ Instructions const* find_native(uint32_t level) {
   uint32_t const wanted = level == AXISRT_LEVEL_AUTOMATIC ? best : level;
   if (wanted > best) return nullptr;
   switch (wanted) {
-    case AXISRT_LEVEL_X86_64_V4:
-      return &x86_64_v4::instructions;
-    case AXISRT_LEVEL_X86_64_V3:
-      return &x86_64_v3::instructions;
-    case AXISRT_LEVEL_X86_64_V2:
-      return &x86_64_v2::instructions;
-    case AXISRT_LEVEL_PORTABLE:
-      return &portable::instructions;
-    default:
-      return nullptr;
+    case AXISRT_LEVEL_X86_64_V4: return &x86_64_v4::instructions;
+    case AXISRT_LEVEL_X86_64_V3: return &x86_64_v3::instructions;
+    case AXISRT_LEVEL_X86_64_V2: return &x86_64_v2::instructions;
+    case AXISRT_LEVEL_PORTABLE: return &portable::instructions;
+    default: return nullptr;
   }
 }
 
@@ -112,19 +107,13 @@ Instructions const* find_instructions(uint32_t level) {
 
 uint32_t lanes_of_level(uint32_t level) {
   switch (level) {
-    case AXISRT_LEVEL_AUTOMATIC:
-      return find_instructions(level)->lanes;
-    case AXISRT_LEVEL_PORTABLE:
-      return 1;
+    case AXISRT_LEVEL_AUTOMATIC: return find_instructions(level)->lanes;
+    case AXISRT_LEVEL_PORTABLE: return 1;
     case AXISRT_LEVEL_X86_64_V2:
-    case AXISRT_LEVEL_NEON:
-      return 2;
-    case AXISRT_LEVEL_X86_64_V3:
-      return 4;
-    case AXISRT_LEVEL_X86_64_V4:
-      return 8;
-    default:
-      return 0;
+    case AXISRT_LEVEL_NEON: return 2;
+    case AXISRT_LEVEL_X86_64_V3: return 4;
+    case AXISRT_LEVEL_X86_64_V4: return 8;
+    default: return 0;
   }
 }
 

@@ -106,14 +106,10 @@ void start_at_rest(SlotGroup& group, uint32_t width) {
 
 Value steady_output(Lane const& lane, Filter const& filter, Value const& in) {
   switch (filter.kind) {
-    case FilterKind::shared:
-      return join_shared(lane, filter, in, in.sum);
-    case FilterKind::blocking:
-      return join_blocking(lane, filter, in, 0);
-    case FilterKind::delay:
-      return join_delay(lane, filter, in, in);
-    default:
-      return in;
+    case FilterKind::shared: return join_shared(lane, filter, in, in.sum);
+    case FilterKind::blocking: return join_blocking(lane, filter, in, 0);
+    case FilterKind::delay: return join_delay(lane, filter, in, in);
+    default: return in;
   }
 }
 
@@ -133,8 +129,7 @@ Value latest_output(Lane const& lane, Filter const& filter, Value const& in) {
       return join_delay(lane, filter, in,
                         {.base = lane.state(filter, place), .sum = lane.state(filter, place + 1)});
     }
-    case FilterKind::pass_through:
-      break;
+    case FilterKind::pass_through: break;
   }
   return in;
 }

@@ -19,16 +19,11 @@ uint64_t size_of(axisrt const& runtime, uint32_t kind) {
   uint64_t const axes = runtime.axis_count;
   switch (kind) {
     case axrd_step:
-    case axrd_step_interface:
-      return 1 + 2 * axes + status_words(runtime.axis_count);
-    case axrd_step_velocity:
-      return 1 + 5 * axes + status_words(runtime.axis_count);
-    case axrd_reset_velocity:
-      return 1 + 3;
-    case axrd_command:
-      return 1 + axrd_command_words;
-    default:
-      return 1 + 1;
+    case axrd_step_interface: return 1 + 2 * axes + status_words(runtime.axis_count);
+    case axrd_step_velocity: return 1 + 5 * axes + status_words(runtime.axis_count);
+    case axrd_reset_velocity: return 1 + 3;
+    case axrd_command: return 1 + axrd_command_words;
+    default: return 1 + 1;
   }
 }
 
@@ -154,10 +149,8 @@ void record_call(axisrt const& runtime, EntryHead const& head, double const* val
 axisrt_status execute(axisrt& runtime, EntryHead const& head, double* values) {
   uint32_t const n = runtime.axis_count;
   switch (head.kind) {
-    case axrd_step:
-      return axisrt_step(&runtime, values, values + n, nullptr);
-    case axrd_step_interface:
-      return axisrt_step_interface(&runtime, values, values + n, nullptr);
+    case axrd_step: return axisrt_step(&runtime, values, values + n, nullptr);
+    case axrd_step_interface: return axisrt_step_interface(&runtime, values, values + n, nullptr);
     case axrd_step_velocity: {
       bool const has_direct = (head.flags & axrd_has_v_direct) != 0;
       axisrt_velocities const in{.size = sizeof(axisrt_velocities),
@@ -168,16 +161,12 @@ axisrt_status execute(axisrt& runtime, EntryHead const& head, double* values) {
       double* const v_add = values + 3 * uint64_t{n};
       return axisrt_step_velocity(&runtime, &in, v_add, v_add + n, nullptr);
     }
-    case axrd_reset:
-      return axisrt_reset(&runtime, head.index, values[0]);
-    case axrd_reset_interface:
-      return axisrt_reset_interface(&runtime, head.index, values[0]);
+    case axrd_reset: return axisrt_reset(&runtime, head.index, values[0]);
+    case axrd_reset_interface: return axisrt_reset_interface(&runtime, head.index, values[0]);
     case axrd_reset_velocity:
       return axisrt_reset_velocity(&runtime, head.index, values[0], values[1], values[2]);
-    case axrd_rebase:
-      return axisrt_rebase(&runtime, head.index, values[0]);
-    default:
-      return execute_command(runtime, head.index, values);
+    case axrd_rebase: return axisrt_rebase(&runtime, head.index, values[0]);
+    default: return execute_command(runtime, head.index, values);
   }
 }
 

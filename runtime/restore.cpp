@@ -51,10 +51,8 @@ class Reader {
   static bool is_possible(Batch const& batch, uint32_t row, uint64_t bits) {
     auto const value = std::bit_cast<double>(bits);
     switch (row) {
-      case GroupParts::input:
-        return is_within(value, largest_position) && is_multiple(value, grid);
-      case GroupParts::reset_done:
-        return bits == 0 || bits == all_set;
+      case GroupParts::input: return is_within(value, largest_position) && is_multiple(value, grid);
+      case GroupParts::reset_done: return bits == 0 || bits == all_set;
       case GroupParts::largest_increment:
         return bits <= std::bit_cast<uint64_t>(std::numeric_limits<double>::infinity()) &&
                is_multiple(value, grid);
@@ -74,12 +72,9 @@ class Reader {
     Operation const& operation = batch.operations[last];
     uint32_t const place = row - operation.first_state;
     switch (operation.kind) {
-      case OperationKind::delay:
-        return false;
-      case OperationKind::slot:
-        return place >= SlotParts::ahead && place < SlotParts::history;
-      default:
-        return place % 2 == 0;
+      case OperationKind::delay: return false;
+      case OperationKind::slot: return place >= SlotParts::ahead && place < SlotParts::history;
+      default: return place % 2 == 0;
     }
   }
 

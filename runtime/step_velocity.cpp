@@ -14,12 +14,9 @@ constexpr uint32_t mode_indirect = 2;
 
 double input_of(Stage const& stage, axisrt_velocities const& in) {
   switch (stage.mode) {
-    case mode_direct:
-      return (in.v_direct != nullptr ? in.v_direct : in.v_motor)[stage.axis];
-    case mode_indirect:
-      return in.v_motor[stage.axis];
-    default:
-      return in.v_set[stage.axis];
+    case mode_direct: return (in.v_direct != nullptr ? in.v_direct : in.v_motor)[stage.axis];
+    case mode_indirect: return in.v_motor[stage.axis];
+    default: return in.v_set[stage.axis];
   }
 }
 

@@ -1,6 +1,7 @@
-// axisc_schema_generator DATA DESCRIPTIONS OTHER_LISTS TABLES VOCABULARY DESCRIPTION_TABLES KIND_TABLES: turns
-// axis-parameters.json, axis-descriptions.json and other-lists.json into constant tables while building. Exit
-// status 1 and one line per mistake when the data is wrong.
+// axisc_schema_generator DATA DESCRIPTIONS OTHER_LISTS TABLES VOCABULARY DESCRIPTION_TABLES KIND_TABLES
+//
+// Turns axis-parameters.json, axis-descriptions.json and other-lists.json into constant tables while
+// building. Exit status 1 and one line per mistake when the data is wrong.
 #include "schema/generator/catalogue_data.hpp"
 #include "schema/generator/description_writer.hpp"
 #include "schema/generator/table_writer.hpp"

@@ -75,15 +75,9 @@ bool set(design::Readings& settings, std::string_view id) {
 
 void reset(design::Readings& settings, std::size_t key) {
   switch (static_cast<Key>(key)) {
-    case Key::filters:
-      settings.filters = FilterReading::documented;
-      break;
-    case Key::kernels:
-      settings.kernels = KernelReading::documented;
-      break;
-    case Key::cycle_time:
-      settings.cycle_time = CycleReading::documented;
-      break;
+    case Key::filters: settings.filters = FilterReading::documented; break;
+    case Key::kernels: settings.kernels = KernelReading::documented; break;
+    case Key::cycle_time: settings.cycle_time = CycleReading::documented; break;
   }
 }
 

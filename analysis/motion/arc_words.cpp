@@ -79,18 +79,12 @@ std::variant<Place, ArcMistake> center_of(ArcWords const& words, Place begin, Pl
 
 SentenceRef sentence_of(ArcMistake mistake) {
   switch (mistake) {
-    case ArcMistake::no_center:
-      return says::arc_no_center;
-    case ArcMistake::both:
-      return says::arc_both;
-    case ArcMistake::no_radius:
-      return says::arc_no_radius;
-    case ArcMistake::too_small:
-      return says::arc_too_small;
-    case ArcMistake::full_by_radius:
-      return says::arc_full_by_radius;
-    case ArcMistake::misses_end:
-      return says::arc_misses_end;
+    case ArcMistake::no_center: return says::arc_no_center;
+    case ArcMistake::both: return says::arc_both;
+    case ArcMistake::no_radius: return says::arc_no_radius;
+    case ArcMistake::too_small: return says::arc_too_small;
+    case ArcMistake::full_by_radius: return says::arc_full_by_radius;
+    case ArcMistake::misses_end: return says::arc_misses_end;
   }
   return says::arc_no_center;
 }

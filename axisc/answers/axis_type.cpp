@@ -13,12 +13,9 @@ namespace axisc {
 
 presentation::Symbol axis_type_symbol(machine::AxisType type) {
   switch (type) {
-    case machine::AxisType::translatory:
-      return {.symbol = "T", .words = says::translatory};
-    case machine::AxisType::rotary:
-      return {.symbol = "R", .words = says::rotary};
-    case machine::AxisType::spindle:
-      return {.symbol = "S", .words = says::spindle};
+    case machine::AxisType::translatory: return {.symbol = "T", .words = says::translatory};
+    case machine::AxisType::rotary: return {.symbol = "R", .words = says::rotary};
+    case machine::AxisType::spindle: return {.symbol = "S", .words = says::spindle};
   }
   return {.symbol = "?", .words = says::unknown};
 }

@@ -46,14 +46,10 @@ namespace {
 
 std::optional<SentenceRef> sentence_of(validator::Obstacle obstacle) {
   switch (obstacle) {
-    case validator::Obstacle::incomplete:
-      return says::incomplete;
-    case validator::Obstacle::errors:
-      return says::hidden_errors;
-    case validator::Obstacle::no_axis:
-      return says::no_axis;
-    case validator::Obstacle::none:
-      break;
+    case validator::Obstacle::incomplete: return says::incomplete;
+    case validator::Obstacle::errors: return says::hidden_errors;
+    case validator::Obstacle::no_axis: return says::no_axis;
+    case validator::Obstacle::none: break;
   }
   return std::nullopt;
 }

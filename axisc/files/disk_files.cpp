@@ -68,16 +68,11 @@ constexpr std::size_t block_size = std::size_t{1} << 16U;
 
 FileError error_of(system::Error const& error) {
   switch (error.refusal) {
-    case system::Refusal::not_found:
-      return FileError::not_found;
-    case system::Refusal::is_folder:
-      return FileError::is_folder;
-    case system::Refusal::no_permission:
-      return FileError::no_permission;
-    case system::Refusal::link_loop:
-      return FileError::link_loop;
-    default:
-      return FileError::not_readable;
+    case system::Refusal::not_found: return FileError::not_found;
+    case system::Refusal::is_folder: return FileError::is_folder;
+    case system::Refusal::no_permission: return FileError::no_permission;
+    case system::Refusal::link_loop: return FileError::link_loop;
+    default: return FileError::not_readable;
   }
 }
 
@@ -154,28 +149,17 @@ std::optional<FileError> read_blocks(system::File const& file, configuration::Pi
 
 SentenceRef sentence(FileError error) {
   switch (error) {
-    case FileError::not_found:
-      return says::cannot_read_not_found;
-    case FileError::is_folder:
-      return says::cannot_read_is_folder;
-    case FileError::no_permission:
-      return says::cannot_read_no_permission;
-    case FileError::not_readable:
-      return says::cannot_read_not_readable;
-    case FileError::too_large:
-      return says::too_large;
-    case FileError::line_too_long:
-      return says::too_large_line;
-    case FileError::binary:
-      return says::cannot_read_binary;
-    case FileError::utf16:
-      return says::cannot_read_utf16;
-    case FileError::image:
-      return says::cannot_read_image;
-    case FileError::not_regular:
-      return says::cannot_read_not_regular;
-    case FileError::link_loop:
-      return says::cannot_read_link_loop;
+    case FileError::not_found: return says::cannot_read_not_found;
+    case FileError::is_folder: return says::cannot_read_is_folder;
+    case FileError::no_permission: return says::cannot_read_no_permission;
+    case FileError::not_readable: return says::cannot_read_not_readable;
+    case FileError::too_large: return says::too_large;
+    case FileError::line_too_long: return says::too_large_line;
+    case FileError::binary: return says::cannot_read_binary;
+    case FileError::utf16: return says::cannot_read_utf16;
+    case FileError::image: return says::cannot_read_image;
+    case FileError::not_regular: return says::cannot_read_not_regular;
+    case FileError::link_loop: return says::cannot_read_link_loop;
   }
   return says::cannot_read_not_readable;
 }

@@ -50,18 +50,12 @@ namespace {
 
 SentenceRef sentence(axisrt_status status) {
   switch (status) {
-    case AXISRT_WRONG_MAGIC:
-      return says::magic;
-    case AXISRT_TOO_SHORT:
-      return says::not_an_image_short;
-    case AXISRT_WRONG_VERSION:
-      return says::version;
-    case AXISRT_WRONG_SIZE:
-      return says::size;
-    case AXISRT_WRONG_CHECKSUM:
-      return says::checksum;
-    default:
-      return says::headline;
+    case AXISRT_WRONG_MAGIC: return says::magic;
+    case AXISRT_TOO_SHORT: return says::not_an_image_short;
+    case AXISRT_WRONG_VERSION: return says::version;
+    case AXISRT_WRONG_SIZE: return says::size;
+    case AXISRT_WRONG_CHECKSUM: return says::checksum;
+    default: return says::headline;
   }
 }
 
@@ -115,12 +109,9 @@ std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
 
 std::string_view port_name(Port port) {
   switch (port) {
-    case Port::setpoint:
-      return "setpoint";
-    case Port::interface:
-      return "interface";
-    case Port::velocity:
-      return "velocity";
+    case Port::setpoint: return "setpoint";
+    case Port::interface: return "interface";
+    case Port::velocity: return "velocity";
   }
   return {};
 }

@@ -41,22 +41,14 @@ namespace {
 
 SentenceRef sentence(system::Refusal refusal) {
   switch (refusal) {
-    case system::Refusal::not_found:
-      return says::no_folder;
-    case system::Refusal::is_folder:
-      return says::is_folder;
-    case system::Refusal::no_permission:
-      return says::no_permission;
-    case system::Refusal::read_only:
-      return says::read_only;
-    case system::Refusal::no_space:
-      return says::no_space;
-    case system::Refusal::closed_pipe:
-      return says::closed_pipe;
-    case system::Refusal::link_loop:
-      return says::link_loop;
-    default:
-      return says::cannot_write;
+    case system::Refusal::not_found: return says::no_folder;
+    case system::Refusal::is_folder: return says::is_folder;
+    case system::Refusal::no_permission: return says::no_permission;
+    case system::Refusal::read_only: return says::read_only;
+    case system::Refusal::no_space: return says::no_space;
+    case system::Refusal::closed_pipe: return says::closed_pipe;
+    case system::Refusal::link_loop: return says::link_loop;
+    default: return says::cannot_write;
   }
 }
 

@@ -45,7 +45,7 @@ class OutputFile {
   [[noreturn]] void fail(system::Error const& error) const;
   void require(std::optional<system::Error> const& error) const;
 
-  std::string path_;  ///< as the user wrote it
+  std::string path_;    ///< as the user wrote it
   std::string target_;  ///< with symbolic links resolved; empty when written directly
   TemporaryFile temporary_;
   system::File file_;

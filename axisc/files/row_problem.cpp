@@ -31,16 +31,11 @@ namespace {
 
 SentenceRef sentence_of(recordings::RowProblem problem) {
   switch (problem) {
-    case recordings::RowProblem::not_a_number:
-      return says::bad_field;
-    case recordings::RowProblem::field_count:
-      return says::few_fields;
-    case recordings::RowProblem::mixed_marks:
-      return says::mixed_marks;
-    case recordings::RowProblem::long_line:
-      return says::long_row;
-    case recordings::RowProblem::no_rows:
-      break;
+    case recordings::RowProblem::not_a_number: return says::bad_field;
+    case recordings::RowProblem::field_count: return says::few_fields;
+    case recordings::RowProblem::mixed_marks: return says::mixed_marks;
+    case recordings::RowProblem::long_line: return says::long_row;
+    case recordings::RowProblem::no_rows: break;
   }
   return says::no_numbers;
 }

@@ -50,9 +50,7 @@ void read_by_hand(std::string_view list, EntryTable& table) {
         }
         break;
       }
-      case ValueKind::word:
-        table.word(*parameter, token);
-        break;
+      case ValueKind::word: table.word(*parameter, token); break;
       default:
         if (assignment.kind != ValueKind::reference) table.wrong_type();
     }

@@ -41,14 +41,9 @@ void Simdjson::read_on_demand(std::string const& json, EntryTable& table) {
     simdjson::ondemand::value value = field.value();
     if (parameter == nullptr) continue;
     switch (value.type()) {
-      case simdjson::ondemand::json_type::boolean:
-        table.truth(*parameter, value.get_bool());
-        break;
-      case simdjson::ondemand::json_type::string:
-        table.word(*parameter, value.get_string().value());
-        break;
-      default:
-        table.number(*parameter, value.get_double());
+      case simdjson::ondemand::json_type::boolean: table.truth(*parameter, value.get_bool()); break;
+      case simdjson::ondemand::json_type::string: table.word(*parameter, value.get_string().value()); break;
+      default: table.number(*parameter, value.get_double());
     }
   }
 }

@@ -46,17 +46,13 @@ struct Chain {
 Chain mixed(std::size_t axis) {
   double const f = own(axis);
   switch (axis % 8) {
-    case 4:
-      return {{band_stop(40 + f), band_stop(65 + f), band_stop(95 + f)}, {}};
+    case 4: return {{band_stop(40 + f), band_stop(65 + f), band_stop(95 + f)}, {}};
     case 5:
       return {{{.type = FilterType::pt1, .time_constant = {3000 + f}}},
               KernelSpecification{.type = KernelType::moving_average, .order = 200}};
-    case 6:
-      return {{}, KernelSpecification{.type = KernelType::gaussian, .order = 200}};
-    case 7:
-      return {{low_pass(60 + f, 2)}, KernelSpecification{.type = KernelType::time_delay, .order = 20}};
-    default:
-      return {{band_stop(40 + f), low_pass(60 + f, 4)}, {}};
+    case 6: return {{}, KernelSpecification{.type = KernelType::gaussian, .order = 200}};
+    case 7: return {{low_pass(60 + f, 2)}, KernelSpecification{.type = KernelType::time_delay, .order = 20}};
+    default: return {{band_stop(40 + f), low_pass(60 + f, 4)}, {}};
   }
 }
 
@@ -93,15 +89,9 @@ PlainAxis plain_axis(Chain const& chain) {
   }
   if (!chain.kernel) return axis;
   switch (chain.kernel->type) {
-    case KernelType::moving_average:
-      axis.use_average(chain.kernel->order + 1);
-      break;
-    case KernelType::time_delay:
-      axis.use_delay(chain.kernel->order);
-      break;
-    default:
-      axis.use_taps(design::design_kernel(*chain.kernel, cycle_time).taps);
-      break;
+    case KernelType::moving_average: axis.use_average(chain.kernel->order + 1); break;
+    case KernelType::time_delay: axis.use_delay(chain.kernel->order); break;
+    default: axis.use_taps(design::design_kernel(*chain.kernel, cycle_time).taps); break;
   }
   return axis;
 }

@@ -54,13 +54,10 @@ std::string joined(std::vector<std::string> const& words) {
 
 std::string_view word_of(Offer offer) {
   switch (offer) {
-    case Offer::files:
-      return "files";
-    case Offer::folders:
-      return "folders";
+    case Offer::files: return "files";
+    case Offer::folders: return "folders";
     case Offer::nothing:
-    case Offer::values:
-      break;
+    case Offer::values: break;
   }
   return "nothing";
 }

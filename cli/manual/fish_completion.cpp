@@ -19,14 +19,10 @@ std::string in_quotes(std::string_view text) {
 
 std::string offered(OptionDescription const& option) {
   switch (offer_for(option)) {
-    case Offer::values:
-      return " -a " + in_quotes(fmt::format("{}", fmt::join(option.values, " ")));
-    case Offer::files:
-      return " -F";
-    case Offer::folders:
-      return " -a '(__fish_complete_directories)'";
-    case Offer::nothing:
-      break;
+    case Offer::values: return " -a " + in_quotes(fmt::format("{}", fmt::join(option.values, " ")));
+    case Offer::files: return " -F";
+    case Offer::folders: return " -a '(__fish_complete_directories)'";
+    case Offer::nothing: break;
   }
   return {};
 }

@@ -29,12 +29,9 @@ std::string action(OptionDescription const& option) {
       for (auto const& value : option.values) words += (words.empty() ? "" : " ") + value;
       return "(" + words + ")";
     }
-    case Offer::files:
-      return "_files";
-    case Offer::folders:
-      return "_files -/";
-    case Offer::nothing:
-      break;
+    case Offer::files: return "_files";
+    case Offer::folders: return "_files -/";
+    case Offer::nothing: break;
   }
   return " ";
 }

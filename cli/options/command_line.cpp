@@ -205,22 +205,16 @@ void CommandLine::choice_of(std::string_view names, std::vector<std::string_view
 void CommandLine::build(Declared& row) {
   auto& app = parser_->app;
   switch (row.takes) {
-    case Takes::argument:
-      row.option = app.add_option("argument")->expected(1);
-      break;
+    case Takes::argument: row.option = app.add_option("argument")->expected(1); break;
     case Takes::arguments:
       row.option =
           app.add_option("arguments")->expected(-1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
       break;
-    case Takes::nothing:
-      row.option = app.add_flag(row.names)->disable_flag_override();
-      break;
+    case Takes::nothing: row.option = app.add_flag(row.names)->disable_flag_override(); break;
     case Takes::value_or_nothing:
       row.option = app.add_flag(row.names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
       break;
-    case Takes::value:
-      row.option = app.add_option(row.names)->take_last();
-      break;
+    case Takes::value: row.option = app.add_option(row.names)->take_last(); break;
     case Takes::values:
       row.option = app.add_option(row.names)->type_size(1)->expected(1, 1)->multi_option_policy(
           CLI::MultiOptionPolicy::TakeAll);

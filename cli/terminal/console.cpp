@@ -25,12 +25,9 @@ constexpr std::size_t piece = std::size_t{1} << 15U;
 
 SentenceRef reason(system::Refusal refusal) {
   switch (refusal) {
-    case system::Refusal::no_space:
-      return says::stdout_no_space;
-    case system::Refusal::not_open:
-      return says::stdout_closed;
-    default:
-      return says::stdout_failed;
+    case system::Refusal::no_space: return says::stdout_no_space;
+    case system::Refusal::not_open: return says::stdout_closed;
+    default: return says::stdout_failed;
   }
 }
 

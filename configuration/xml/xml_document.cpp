@@ -52,17 +52,13 @@ XmlMistake mistake(Span span, SentenceRef sentence) {
 
 SentenceRef sentence_of(pugi::xml_parse_result const& result, std::size_t size) {
   switch (result.status) {
-    case pugi::status_bad_cdata:
-      return says::xml_cdata;
-    case pugi::status_bad_attribute:
-      return says::xml_attribute;
-    case pugi::status_bad_doctype:
-      return says::xml_doctype;
+    case pugi::status_bad_cdata: return says::xml_cdata;
+    case pugi::status_bad_attribute: return says::xml_attribute;
+    case pugi::status_bad_doctype: return says::xml_doctype;
     case pugi::status_end_element_mismatch:
       return static_cast<std::size_t>(result.offset) + 1 >= size ? says::xml_unclosed
                                                                  : says::xml_end_mismatch;
-    default:
-      return says::xml_malformed;
+    default: return says::xml_malformed;
   }
 }
 
@@ -110,15 +106,12 @@ class DocumentReader {
   void add(pugi::xml_node const& node, std::size_t open) {
     auto const offset = static_cast<std::size_t>(node.offset_debug());
     switch (node.type()) {
-      case pugi::node_element:
-        return add_element(node, offset, open);
+      case pugi::node_element: return add_element(node, offset, open);
       case pugi::node_pcdata:
         if (!document.elements[open].text) add_text(offset, open);
         return;
-      case pugi::node_cdata:
-        return add_section(offset, open);
-      default:
-        return;
+      case pugi::node_cdata: return add_section(offset, open);
+      default: return;
     }
   }
 

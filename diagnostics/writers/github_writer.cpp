@@ -18,23 +18,12 @@ std::string escaped(std::string_view text, bool is_property) {
     DecodedCharacter const character = decode_utf8(text);
     text.remove_prefix(character.size);
     switch (character.value) {
-      case U'%':
-        result += "%25";
-        break;
-      case U'\r':
-        result += "%0D";
-        break;
-      case U'\n':
-        result += "%0A";
-        break;
-      case U':':
-        result += is_property ? "%3A" : ":";
-        break;
-      case U',':
-        result += is_property ? "%2C" : ",";
-        break;
-      default:
-        append_printable(result, character.value);
+      case U'%': result += "%25"; break;
+      case U'\r': result += "%0D"; break;
+      case U'\n': result += "%0A"; break;
+      case U':': result += is_property ? "%3A" : ":"; break;
+      case U',': result += is_property ? "%2C" : ","; break;
+      default: append_printable(result, character.value);
     }
   }
   return result;

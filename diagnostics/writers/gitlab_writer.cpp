@@ -16,12 +16,9 @@ using Json = nlohmann::ordered_json;
 /// "critical" and "blocker" are left to human judgement.
 std::string_view severity_of(Severity severity) {
   switch (severity) {
-    case Severity::error:
-      return "major";
-    case Severity::warning:
-      return "minor";
-    case Severity::note:
-      break;
+    case Severity::error: return "major";
+    case Severity::warning: return "minor";
+    case Severity::note: break;
   }
   return "info";
 }

@@ -7,18 +7,12 @@ namespace axisc {
 std::unique_ptr<ReportWriter> report_writer(FindingFormat format, WriteOptions const& options,
                                             ReportContext context) {
   switch (format) {
-    case FindingFormat::json:
-      return json_report(options);
-    case FindingFormat::jsonl:
-      return json_lines_report(options);
-    case FindingFormat::sarif:
-      return sarif_report(options, std::move(context));
-    case FindingFormat::github:
-      return github_report(options, std::move(context));
-    case FindingFormat::gitlab:
-      return gitlab_report(options, std::move(context));
-    case FindingFormat::text:
-      break;
+    case FindingFormat::json: return json_report(options);
+    case FindingFormat::jsonl: return json_lines_report(options);
+    case FindingFormat::sarif: return sarif_report(options, std::move(context));
+    case FindingFormat::github: return github_report(options, std::move(context));
+    case FindingFormat::gitlab: return gitlab_report(options, std::move(context));
+    case FindingFormat::text: break;
   }
   return text_report(options);
 }

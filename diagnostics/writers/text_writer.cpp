@@ -20,24 +20,18 @@ namespace {
 
 Style style_of(Severity severity) {
   switch (severity) {
-    case Severity::error:
-      return Style::error;
-    case Severity::warning:
-      return Style::warning;
-    case Severity::note:
-      break;
+    case Severity::error: return Style::error;
+    case Severity::warning: return Style::warning;
+    case Severity::note: break;
   }
   return Style::note;
 }
 
 SentenceRef word_of(Severity severity) {
   switch (severity) {
-    case Severity::error:
-      return says::word_error;
-    case Severity::warning:
-      return says::word_warning;
-    case Severity::note:
-      break;
+    case Severity::error: return says::word_error;
+    case Severity::warning: return says::word_warning;
+    case Severity::note: break;
   }
   return says::word_note;
 }

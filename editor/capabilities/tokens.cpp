@@ -53,15 +53,13 @@ TokenType type_of(grammar::Assignment const& line, schema::Parameter const* para
     case ValueKind::malformed_number:
       return parameter != nullptr && !parameter->symbols.empty() ? TokenType::enumeration_member
                                                                  : TokenType::number;
-    case ValueKind::reference:
-      return TokenType::variable;
+    case ValueKind::reference: return TokenType::variable;
     case ValueKind::word:
       return parameter != nullptr && parameter->type == schema::DataType::string && parameter->symbols.empty()
                  ? TokenType::string
                  : TokenType::enumeration_member;
     case ValueKind::quoted:
-    case ValueKind::other:
-      break;
+    case ValueKind::other: break;
   }
   return TokenType::string;
 }

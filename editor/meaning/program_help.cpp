@@ -38,16 +38,11 @@ constexpr int shown_digits = 3;
 
 SentenceRef name_of(design::KernelType type) {
   switch (type) {
-    case design::KernelType::moving_average:
-      return says::kernel_moving_average;
-    case design::KernelType::gaussian:
-      return says::kernel_gaussian;
-    case design::KernelType::windowed_sinc:
-      return says::kernel_sinc;
-    case design::KernelType::time_delay:
-      return says::kernel_delay;
-    case design::KernelType::novib:
-      break;
+    case design::KernelType::moving_average: return says::kernel_moving_average;
+    case design::KernelType::gaussian: return says::kernel_gaussian;
+    case design::KernelType::windowed_sinc: return says::kernel_sinc;
+    case design::KernelType::time_delay: return says::kernel_delay;
+    case design::KernelType::novib: break;
   }
   return says::kernel_novib;
 }

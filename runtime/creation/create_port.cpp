@@ -13,16 +13,11 @@ ChainKind chain_kind(Shape const& shape) {
   if (shape.steps[0].kind == OperationKind::slot) return ChainKind::slot;
   if (shape.steps[0].kind != OperationKind::passing) return ChainKind::any;
   switch (shape.steps[0].section_count) {
-    case 1:
-      return ChainKind::sections_1;
-    case 2:
-      return ChainKind::sections_2;
-    case 4:
-      return ChainKind::sections_4;
-    case 6:
-      return ChainKind::sections_6;
-    default:
-      return ChainKind::any;
+    case 1: return ChainKind::sections_1;
+    case 2: return ChainKind::sections_2;
+    case 4: return ChainKind::sections_4;
+    case 6: return ChainKind::sections_6;
+    default: return ChainKind::any;
   }
 }
 
@@ -30,12 +25,9 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 PortLayout const& layout_of(Layout const& layout, PortKind port) {
   switch (port) {
-    case PortKind::setpoint:
-      return layout.setpoint;
-    case PortKind::additional_interface:
-      return layout.additional_interface;
-    default:
-      return layout.velocity;
+    case PortKind::setpoint: return layout.setpoint;
+    case PortKind::additional_interface: return layout.additional_interface;
+    default: return layout.velocity;
   }
 }
 
@@ -294,16 +286,11 @@ class PortBuilder {
 
   static FilterKind kind_of(OperationKind kind) {
     switch (kind) {
-      case OperationKind::passing:
-        return FilterKind::passing;
-      case OperationKind::shared:
-        return FilterKind::shared;
-      case OperationKind::blocking:
-        return FilterKind::blocking;
-      case OperationKind::delay:
-        return FilterKind::delay;
-      default:
-        return FilterKind::pass_through;
+      case OperationKind::passing: return FilterKind::passing;
+      case OperationKind::shared: return FilterKind::shared;
+      case OperationKind::blocking: return FilterKind::blocking;
+      case OperationKind::delay: return FilterKind::delay;
+      default: return FilterKind::pass_through;
     }
   }
 

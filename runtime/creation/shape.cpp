@@ -117,23 +117,17 @@ Shape shape_of(ImageView const& view, Line const& line) {
 
 uint32_t state_size(Shape::Step const& step) {
   switch (step.kind) {
-    case OperationKind::delay:
-      return 3 * (step.delay_cycles + 1);
-    case OperationKind::slot:
-      return SlotParts::history + step.block_count * block_cycles;
-    default:
-      return 2 * step.section_count;
+    case OperationKind::delay: return 3 * (step.delay_cycles + 1);
+    case OperationKind::slot: return SlotParts::history + step.block_count * block_cycles;
+    default: return 2 * step.section_count;
   }
 }
 
 uint32_t constants_size(Shape::Step const& step) {
   switch (step.kind) {
-    case OperationKind::passing:
-      return 4 * step.section_count;
-    case OperationKind::slot:
-      return 0;
-    default:
-      return 3 + 4 * step.section_count;
+    case OperationKind::passing: return 4 * step.section_count;
+    case OperationKind::slot: return 0;
+    default: return 3 + 4 * step.section_count;
   }
 }
 

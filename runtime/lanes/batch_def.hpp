@@ -50,14 +50,10 @@ AXISRT_INLINE Signal<Width> run_operation(Operation const& operation, uint32_t g
           run_passing<Width>(constants, states, operation.section_count, {in.sum, in.d});
       return {in.base, out.sum, out.d};
     }
-    case OperationKind::shared:
-      return run_shared<Width>(operation, constants, states, in);
-    case OperationKind::blocking:
-      return run_blocking_filter<Width>(operation, constants, states, in);
-    case OperationKind::delay:
-      return run_delay<Width>(operation, constants, states, in);
-    case OperationKind::slot:
-      return run_slot<Width>(operation.slots[group], states, in);
+    case OperationKind::shared: return run_shared<Width>(operation, constants, states, in);
+    case OperationKind::blocking: return run_blocking_filter<Width>(operation, constants, states, in);
+    case OperationKind::delay: return run_delay<Width>(operation, constants, states, in);
+    case OperationKind::slot: return run_slot<Width>(operation.slots[group], states, in);
   }
   return in;
 }
@@ -119,16 +115,11 @@ AXISRT_INLINE void write_statuses(Bits<Width> happened, uint32_t const* lines, u
 
 constexpr uint32_t sections_of(ChainKind kind) {
   switch (kind) {
-    case ChainKind::sections_1:
-      return 1;
-    case ChainKind::sections_2:
-      return 2;
-    case ChainKind::sections_4:
-      return 4;
-    case ChainKind::sections_6:
-      return 6;
-    default:
-      return 0;
+    case ChainKind::sections_1: return 1;
+    case ChainKind::sections_2: return 2;
+    case ChainKind::sections_4: return 4;
+    case ChainKind::sections_6: return 6;
+    default: return 0;
   }
 }
 
@@ -322,18 +313,12 @@ AXISRT_INLINE uint64_t step_kind(Batch const& batch, Call const& call) {
 template <uint32_t Width>
 AXISRT_INLINE uint64_t step_batch(Batch const& batch, Call const& call) {
   switch (batch.kind) {
-    case ChainKind::sections_1:
-      return step_kind<Width, ChainKind::sections_1>(batch, call);
-    case ChainKind::sections_2:
-      return step_kind<Width, ChainKind::sections_2>(batch, call);
-    case ChainKind::sections_4:
-      return step_kind<Width, ChainKind::sections_4>(batch, call);
-    case ChainKind::sections_6:
-      return step_kind<Width, ChainKind::sections_6>(batch, call);
-    case ChainKind::slot:
-      return step_kind<Width, ChainKind::slot>(batch, call);
-    case ChainKind::any:
-      break;
+    case ChainKind::sections_1: return step_kind<Width, ChainKind::sections_1>(batch, call);
+    case ChainKind::sections_2: return step_kind<Width, ChainKind::sections_2>(batch, call);
+    case ChainKind::sections_4: return step_kind<Width, ChainKind::sections_4>(batch, call);
+    case ChainKind::sections_6: return step_kind<Width, ChainKind::sections_6>(batch, call);
+    case ChainKind::slot: return step_kind<Width, ChainKind::slot>(batch, call);
+    case ChainKind::any: break;
   }
   return step_kind<Width, ChainKind::any>(batch, call);
 }

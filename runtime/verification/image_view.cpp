@@ -104,8 +104,7 @@ axisrt_status read_section(SectionEntry entry, ImageView& view) {
 #undef AXIM_RECORD
 #undef AXIM_FIELD
 #undef AXIM_SECTION
-    default:
-      break;
+    default: break;
   }
   bool const may_be_skipped = entry[field::section::flags] == axim_flag_optional;
   return may_be_skipped ? AXISRT_OK : AXISRT_UNKNOWN_KIND;

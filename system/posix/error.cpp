@@ -9,29 +9,19 @@ Error error_of(int number) {
   auto const refusal = [number] {
     switch (number) {
       case ENOENT:
-      case ENOTDIR:
-        return Refusal::not_found;
-      case EEXIST:
-        return Refusal::exists;
-      case EISDIR:
-        return Refusal::is_folder;
+      case ENOTDIR: return Refusal::not_found;
+      case EEXIST: return Refusal::exists;
+      case EISDIR: return Refusal::is_folder;
       case EACCES:
-      case EPERM:
-        return Refusal::no_permission;
-      case EROFS:
-        return Refusal::read_only;
+      case EPERM: return Refusal::no_permission;
+      case EROFS: return Refusal::read_only;
       case ENOSPC:
       case EDQUOT:
-      case EFBIG:
-        return Refusal::no_space;
-      case EPIPE:
-        return Refusal::closed_pipe;
-      case EBADF:
-        return Refusal::not_open;
-      case ELOOP:
-        return Refusal::link_loop;
-      default:
-        return Refusal::other;
+      case EFBIG: return Refusal::no_space;
+      case EPIPE: return Refusal::closed_pipe;
+      case EBADF: return Refusal::not_open;
+      case ELOOP: return Refusal::link_loop;
+      default: return Refusal::other;
     }
   };
   return {.refusal = refusal(), .number = number};

@@ -56,24 +56,18 @@ bool is_of_kernel([[maybe_unused]] int file) {
 
 int flags_of(Access access) {
   switch (access) {
-    case Access::read:
-      return O_RDONLY;
-    case Access::read_now:
-      return O_RDONLY | O_NONBLOCK;
-    case Access::write:
-      return O_WRONLY;
+    case Access::read: return O_RDONLY;
+    case Access::read_now: return O_RDONLY | O_NONBLOCK;
+    case Access::write: return O_WRONLY;
   }
   return O_RDONLY;
 }
 
 mode_t mode_of(Privacy privacy) {
   switch (privacy) {
-    case Privacy::usual:
-      return 0666;
-    case Privacy::owner:
-      return 0600;
-    case Privacy::readable:
-      return 0644;
+    case Privacy::usual: return 0666;
+    case Privacy::owner: return 0600;
+    case Privacy::readable: return 0644;
   }
   return 0600;
 }

@@ -17,16 +17,11 @@ struct FolderCloser {
 /// Some file systems do not report the kind of an entry.
 FileKind kind_in(std::string const& folder, dirent const& entry) {
   switch (entry.d_type) {
-    case DT_REG:
-      return FileKind::regular;
-    case DT_DIR:
-      return FileKind::folder;
-    case DT_LNK:
-      return FileKind::link;
-    case DT_UNKNOWN:
-      return kind_of(name_in(folder, entry.d_name), Link::refused).value_or(FileKind::other);
-    default:
-      return FileKind::other;
+    case DT_REG: return FileKind::regular;
+    case DT_DIR: return FileKind::folder;
+    case DT_LNK: return FileKind::link;
+    case DT_UNKNOWN: return kind_of(name_in(folder, entry.d_name), Link::refused).value_or(FileKind::other);
+    default: return FileKind::other;
   }
 }
 

@@ -16,31 +16,22 @@ Error error_of(unsigned long number) {
       case ERROR_BAD_NETPATH:
       case ERROR_BAD_NET_NAME:
       case ERROR_INVALID_DRIVE:
-      case ERROR_DIRECTORY:
-        return Refusal::not_found;
+      case ERROR_DIRECTORY: return Refusal::not_found;
       case ERROR_FILE_EXISTS:
-      case ERROR_ALREADY_EXISTS:
-        return Refusal::exists;
+      case ERROR_ALREADY_EXISTS: return Refusal::exists;
       case ERROR_ACCESS_DENIED:
       case ERROR_SHARING_VIOLATION:
       case ERROR_LOCK_VIOLATION:
-      case ERROR_USER_MAPPED_FILE:
-        return Refusal::no_permission;
-      case ERROR_WRITE_PROTECT:
-        return Refusal::read_only;
+      case ERROR_USER_MAPPED_FILE: return Refusal::no_permission;
+      case ERROR_WRITE_PROTECT: return Refusal::read_only;
       case ERROR_DISK_FULL:
-      case ERROR_HANDLE_DISK_FULL:
-        return Refusal::no_space;
+      case ERROR_HANDLE_DISK_FULL: return Refusal::no_space;
       case ERROR_BROKEN_PIPE:
       case ERROR_NO_DATA:
-      case ERROR_PIPE_NOT_CONNECTED:
-        return Refusal::closed_pipe;
-      case ERROR_INVALID_HANDLE:
-        return Refusal::not_open;
-      case ERROR_CANT_RESOLVE_FILENAME:
-        return Refusal::link_loop;
-      default:
-        return Refusal::other;
+      case ERROR_PIPE_NOT_CONNECTED: return Refusal::closed_pipe;
+      case ERROR_INVALID_HANDLE: return Refusal::not_open;
+      case ERROR_CANT_RESOLVE_FILENAME: return Refusal::link_loop;
+      default: return Refusal::other;
     }
   };
   return {.refusal = refusal(), .number = static_cast<int>(number)};

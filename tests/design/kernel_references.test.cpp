@@ -21,16 +21,11 @@ using namespace axisc::design;
 
 KernelType type_numbered(int number) {
   switch (number) {
-    case 2:
-      return KernelType::gaussian;
-    case 3:
-      return KernelType::windowed_sinc;
-    case 4:
-      return KernelType::time_delay;
-    case 12:
-      return KernelType::novib;
-    default:
-      return KernelType::moving_average;  // 1, and 8 of the HSC filters
+    case 2: return KernelType::gaussian;
+    case 3: return KernelType::windowed_sinc;
+    case 4: return KernelType::time_delay;
+    case 12: return KernelType::novib;
+    default: return KernelType::moving_average;  // 1, and 8 of the HSC filters
   }
 }
 

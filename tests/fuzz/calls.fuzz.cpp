@@ -92,18 +92,10 @@ class Machine {
                        {AXISRT_OK, AXISRT_BAD_INPUT, AXISRT_BAD_ARGUMENT, AXISRT_NOT_RESET});
         break;
       case 4:
-      case 5:
-        command(choices);
-        break;
-      case 6:
-        change_image(choices);
-        break;
-      case 7:
-        query(axis);
-        break;
-      default:
-        step(choices);
-        break;
+      case 5: command(choices); break;
+      case 6: change_image(choices); break;
+      case 7: query(axis); break;
+      default: step(choices); break;
     }
   }
 

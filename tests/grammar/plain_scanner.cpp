@@ -270,14 +270,10 @@ class Scanner {
   static TrailerKind trailer_kind(Line const& line, std::size_t begin) {
     if (begin == line.text.size()) return TrailerKind::none;
     switch (line.text[begin]) {
-      case '(':
-        return TrailerKind::parenthesis;
-      case '#':
-        return TrailerKind::hash;
-      case '/':
-        return line.at(begin + 1) == '*' ? TrailerKind::slash_star : TrailerKind::text;
-      default:
-        return TrailerKind::text;
+      case '(': return TrailerKind::parenthesis;
+      case '#': return TrailerKind::hash;
+      case '/': return line.at(begin + 1) == '*' ? TrailerKind::slash_star : TrailerKind::text;
+      default: return TrailerKind::text;
     }
   }
 

@@ -64,15 +64,11 @@ TEST_CASE("letters rule out nothing that is a few slips away") {
     for (std::size_t slips = random() % 5; slips > 0; --slips) {
       std::size_t const at = random() % given.size();
       switch (random() % 4) {
-        case 0:
-          given.insert(at, 1, byte());
-          break;
+        case 0: given.insert(at, 1, byte()); break;
         case 1:
           if (given.size() > 1) given.erase(at, 1);
           break;
-        case 2:
-          given[at] = byte();
-          break;
+        case 2: given[at] = byte(); break;
         default:
           if (at > 0) std::swap(given[at - 1], given[at]);
       }

@@ -78,15 +78,9 @@ std::string mutated(std::string list, std::uint32_t seed) {
     std::size_t const place = random() % list.size();
     char const byte = meaningful[random() % meaningful.size()];
     switch (random() % 3) {
-      case 0:
-        list.erase(place, 1);
-        break;
-      case 1:
-        list.insert(place, 1, byte);
-        break;
-      default:
-        list[place] = byte;
-        break;
+      case 0: list.erase(place, 1); break;
+      case 1: list.insert(place, 1, byte); break;
+      default: list[place] = byte; break;
     }
   }
   return list;

@@ -63,14 +63,10 @@ std::string_view switch_meant(std::string_view word) {
 
 SentenceRef text_of(CommandProblemKind kind) {
   switch (kind) {
-    case CommandProblemKind::letter_case:
-      return says::filter_syntax_letter_case;
-    case CommandProblemKind::unexpected_text:
-      return says::filter_syntax_unexpected;
-    case CommandProblemKind::expected_keyword:
-      return says::filter_syntax_expected_keyword;
-    case CommandProblemKind::unclosed_bracket:
-      return says::filter_syntax_unclosed;
+    case CommandProblemKind::letter_case: return says::filter_syntax_letter_case;
+    case CommandProblemKind::unexpected_text: return says::filter_syntax_unexpected;
+    case CommandProblemKind::expected_keyword: return says::filter_syntax_expected_keyword;
+    case CommandProblemKind::unclosed_bracket: return says::filter_syntax_unclosed;
   }
   return says::filter_syntax_unexpected;
 }

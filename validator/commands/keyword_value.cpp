@@ -101,8 +101,7 @@ std::optional<double> checked_value(grammar::NcCommand const& command, Keyword c
       if (variables == Variables::refused) add(keyword_mistake, keyword.value, says::filter_keyword_variable);
       return std::nullopt;
     case KeywordValue::integer:
-    case KeywordValue::real:
-      break;
+    case KeywordValue::real: break;
   }
   double const value = number_of(written);
   KeywordRange const range = range_of(name, limits);

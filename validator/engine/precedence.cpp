@@ -16,16 +16,11 @@ namespace {
 /// Text, several axes, filters, parameters, any other.
 int place_of_family(Code code) {
   switch (static_cast<std::uint16_t>(code) / 1000) {
-    case 1:
-      return 0;
-    case 4:
-      return 1;
-    case 3:
-      return 2;
-    case 2:
-      return 3;
-    default:
-      return 4;
+    case 1: return 0;
+    case 4: return 1;
+    case 3: return 2;
+    case 2: return 3;
+    default: return 4;
   }
 }
 
@@ -33,14 +28,10 @@ int place_of_family(Code code) {
 int place_among_rules(Rule const& rule) {
   int const family = 3 * place_of_family(rule.code);
   switch (rule.precedence) {
-    case Precedence::before_family:
-      return family;
-    case Precedence::of_family:
-      break;
-    case Precedence::after_family:
-      return family + 2;
-    case Precedence::after_text:
-      return 2;
+    case Precedence::before_family: return family;
+    case Precedence::of_family: break;
+    case Precedence::after_family: return family + 2;
+    case Precedence::after_text: return 2;
   }
   return family + 1;
 }

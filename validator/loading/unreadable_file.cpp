@@ -26,28 +26,17 @@ namespace axisc::validator {
 
 SentenceRef sentence_of(configuration::FileError error) {
   switch (error) {
-    case configuration::FileError::not_found:
-      return says::not_found;
-    case configuration::FileError::is_folder:
-      return says::is_folder;
-    case configuration::FileError::no_permission:
-      return says::no_permission;
-    case configuration::FileError::not_readable:
-      return says::not_readable;
-    case configuration::FileError::too_large:
-      return says::too_large;
-    case configuration::FileError::line_too_long:
-      return says::line_too_long;
-    case configuration::FileError::binary:
-      return says::binary;
-    case configuration::FileError::utf16:
-      return says::utf16;
-    case configuration::FileError::image:
-      return says::image;
-    case configuration::FileError::not_regular:
-      return says::not_regular;
-    case configuration::FileError::link_loop:
-      return says::link_loop;
+    case configuration::FileError::not_found: return says::not_found;
+    case configuration::FileError::is_folder: return says::is_folder;
+    case configuration::FileError::no_permission: return says::no_permission;
+    case configuration::FileError::not_readable: return says::not_readable;
+    case configuration::FileError::too_large: return says::too_large;
+    case configuration::FileError::line_too_long: return says::line_too_long;
+    case configuration::FileError::binary: return says::binary;
+    case configuration::FileError::utf16: return says::utf16;
+    case configuration::FileError::image: return says::image;
+    case configuration::FileError::not_regular: return says::not_regular;
+    case configuration::FileError::link_loop: return says::link_loop;
   }
   return says::not_readable;
 }

@@ -52,14 +52,11 @@ std::optional<schema::Slot> slot_of_name(schema::Catalogue const& catalogue, std
   if (schema::ConcreteParameter const exact = catalogue.find_exact(name)) return exact.slot;
   schema::NameLookup const lookup = catalogue.find(name);
   switch (lookup.status) {
-    case Status::found:
-      return lookup.slot;
+    case Status::found: return lookup.slot;
     case Status::index_missing:
-    case Status::index_superfluous:
-      return schema::slot_of(*lookup.row);
+    case Status::index_superfluous: return schema::slot_of(*lookup.row);
     case Status::unknown:
-    case Status::index_out_of_range:
-      break;
+    case Status::index_out_of_range: break;
   }
   return std::nullopt;
 }

@@ -88,12 +88,9 @@ class Merger {
 
 machine::AxisType axis_type_of(EffectiveValues const& values) {
   switch (static_cast<int>(values.at("kenngr.achs_typ").value.number)) {
-    case 2:
-      return machine::AxisType::rotary;
-    case 4:
-      return machine::AxisType::spindle;
-    default:
-      return machine::AxisType::translatory;
+    case 2: return machine::AxisType::rotary;
+    case 4: return machine::AxisType::spindle;
+    default: return machine::AxisType::translatory;
   }
 }
 

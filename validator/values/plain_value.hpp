@@ -41,16 +41,12 @@ class PlainValueReader {
     switch (values.kind) {
       case PlainKind::integer:
         return (short_integer(out) || hexadecimal(out)) && is_within(values, out.number);
-      case PlainKind::real:
-        return (short_real(out) || short_integer(out)) && is_within(values, out.number);
+      case PlainKind::real: return (short_real(out) || short_integer(out)) && is_within(values, out.number);
       case PlainKind::boolean:
         return digit(out) || (word(values, out) && (out.text <= truth_values || comment_may_follow_word()));
-      case PlainKind::symbol:
-        return comment_may_follow_word() && word(values, out);
-      case PlainKind::text:
-        return comment_may_follow_word() && text(values, out);
-      case PlainKind::none:
-        break;
+      case PlainKind::symbol: return comment_may_follow_word() && word(values, out);
+      case PlainKind::text: return comment_may_follow_word() && text(values, out);
+      case PlainKind::none: break;
     }
     return false;
   }

@@ -21,8 +21,7 @@ enum class Feedforward : std::uint32_t {
 struct FeedforwardView {
   EffectiveValue const& quantities;  ///< P-AXIS-00223
 
-  explicit FeedforwardView(EffectiveValues const& values)
-      : quantities(values.at("vorsteuer.vorsteuerung")) {}
+  explicit FeedforwardView(EffectiveValues const& values) : quantities(values.at("vorsteuer.vorsteuerung")) {}
 
   /// P-AXIS-00223 is usable and has the bit.
   [[nodiscard]] bool uses(Feedforward quantity) const {

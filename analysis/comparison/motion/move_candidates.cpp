@@ -54,9 +54,7 @@ class Candidates {
       case MotionKey::sine:
         for (double const acceleration : accelerations) single("SIN2", {5, 20}, acceleration);
         break;
-      case MotionKey::circle:
-        circles();
-        break;
+      case MotionKey::circle: circles(); break;
       case MotionKey::corner:
         for_each_pair([this](std::size_t first, std::size_t second) { corners(first, second); });
         break;
@@ -64,12 +62,8 @@ class Candidates {
         for_each_pair([this](std::size_t first, std::size_t second) { corners(first, second); });
         tangents();
         break;
-      case MotionKey::cycles:
-        single("TRAPEZ", {1, 2, 5}, accelerations.front());
-        break;
-      case MotionKey::hsc:
-        chain("HSC", std::vector<double>(10, 2));
-        break;
+      case MotionKey::cycles: single("TRAPEZ", {1, 2, 5}, accelerations.front()); break;
+      case MotionKey::hsc: chain("HSC", std::vector<double>(10, 2)); break;
     }
     return std::move(found_);
   }
@@ -151,7 +145,8 @@ class Candidates {
     }
   }
 
-  /// 45°: one axis gains velocity that the other one only shares in; back it is the reverse. 90°: axes with unlike steps.
+  /// 45°: one axis gains velocity that the other one only shares in; back it is the reverse. 90°: axes with
+  /// unlike steps.
   void corners(std::size_t first, std::size_t second) {
     for (double const feed : feeds_of({first, second})) {
       there_and_back("TRAPEZ", {{{first, 10}}, {{first, 10}, {second, 10}}}, feed);

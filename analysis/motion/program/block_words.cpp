@@ -70,15 +70,10 @@ std::size_t BlockWords::take(std::size_t at) {
   if (token.command) return take_command(at);
   switch (token.kind) {
     case WordKind::skip:
-    case WordKind::program:
-      return at + 1;
-    case WordKind::block_number:
-      motion_.set_label(block_.text(token));
-      return at + 1;
-    case WordKind::address:
-      return take_address(at);
-    case WordKind::name:
-      return take_assignment(at);
+    case WordKind::program: return at + 1;
+    case WordKind::block_number: motion_.set_label(block_.text(token)); return at + 1;
+    case WordKind::address: return take_address(at);
+    case WordKind::name: return take_assignment(at);
     case WordKind::number:
       if (dwell_.is_open() && !dwell_.has_time()) {
         dwell_.take(token, real_number(block_.text(token)).value_or(-1));
@@ -86,9 +81,7 @@ std::size_t BlockWords::take(std::size_t at) {
         refuse(token);
       }
       return at + 1;
-    default:
-      refuse(token);
-      return at + 1;
+    default: refuse(token); return at + 1;
   }
 }
 
@@ -97,16 +90,10 @@ std::size_t BlockWords::take_address(std::size_t at) {
   std::string_view const word = block_.text(token);
   std::string_view const number = word.substr(1);
   switch (word.front()) {
-    case 'P':
-      return take_assignment(at);  // P1 = 5, with blanks
-    case 'N':
-      motion_.set_label(word);
-      break;
-    case 'G':
-      return take_g(at, number);
-    case 'M':
-      take_m(token, number);
-      break;
+    case 'P': return take_assignment(at);  // P1 = 5, with blanks
+    case 'N': motion_.set_label(word); break;
+    case 'G': return take_g(at, number);
+    case 'M': take_m(token, number); break;
     default:
       if (auto const value = real_number(number)) {
         take_value(token, word.substr(0, 1), *value);
@@ -178,16 +165,13 @@ std::size_t BlockWords::take_g(std::size_t at, std::string_view digits) {
   if (auto const* const word = find_motion_word(*number)) return take_motion_word(*word, at);
   auto const meaning = take_function(*number, state_.modal);
   switch (meaning) {
-    case FunctionMeaning::nothing:
-      break;
+    case FunctionMeaning::nothing: break;
     case FunctionMeaning::dwell:
       motion_.moves() ? refuse(token, says::cannot_simulate_beside_dwell) : dwell_.begin(token);
       break;
     case FunctionMeaning::needs_tools:
     case FunctionMeaning::needs_offsets:
-    case FunctionMeaning::unknown:
-      refuse(token, refusal_of(meaning));
-      break;
+    case FunctionMeaning::unknown: refuse(token, refusal_of(meaning)); break;
   }
   return at + 1;
 }
@@ -201,23 +185,13 @@ std::size_t BlockWords::take_motion_word(MotionWord const& word, std::size_t at)
   }
   auto& modal = state_.modal;
   switch (word.effect) {
-    case MotionEffect::stop:
-      motion_.stop_at_end(token);
-      break;
+    case MotionEffect::stop: motion_.stop_at_end(token); break;
     case MotionEffect::stop_from_here:
-    case MotionEffect::stop_no_more:
-      modal.stops = word.effect == MotionEffect::stop_from_here;
-      break;
+    case MotionEffect::stop_no_more: modal.stops = word.effect == MotionEffect::stop_from_here; break;
     case MotionEffect::brake_late:
-    case MotionEffect::brake_in_time:
-      modal.brakes_late = word.effect == MotionEffect::brake_late;
-      break;
-    case MotionEffect::brake_in_time_here:
-      motion_.brake_in_time();
-      break;
-    case MotionEffect::round_corner:
-      motion_.round_corner();
-      break;
+    case MotionEffect::brake_in_time: modal.brakes_late = word.effect == MotionEffect::brake_late; break;
+    case MotionEffect::brake_in_time_here: motion_.brake_in_time(); break;
+    case MotionEffect::round_corner: motion_.round_corner(); break;
     case MotionEffect::round_corners:
     case MotionEffect::round_no_more:
       modal.rounds_corners = word.effect == MotionEffect::round_corners;
@@ -229,16 +203,13 @@ std::size_t BlockWords::take_motion_word(MotionWord const& word, std::size_t at)
         break;
       }
       return take_value_of(word, at);
-    case MotionEffect::limit_by_all:
-      set_look_ahead(all_functions);
-      break;
+    case MotionEffect::limit_by_all: set_look_ahead(all_functions); break;
     case MotionEffect::nothing:
     case MotionEffect::set_rounding:
     case MotionEffect::slope:
     case MotionEffect::slope_number:
     case MotionEffect::vector_limit:
-    case MotionEffect::least_corner_velocity:
-      break;
+    case MotionEffect::least_corner_velocity: break;
   }
   return at + 1;
 }

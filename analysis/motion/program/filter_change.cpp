@@ -27,12 +27,9 @@ void shift(grammar::NcCommand& command, std::uint32_t base) {
 
 std::string text_without_keywords(machine::FilterSwitch filter_switch) {
   switch (filter_switch) {
-    case machine::FilterSwitch::on:
-      return "#FILTER ON";
-    case machine::FilterSwitch::off:
-      return "#FILTER OFF";
-    case machine::FilterSwitch::unchanged:
-      return "#FILTER";
+    case machine::FilterSwitch::on: return "#FILTER ON";
+    case machine::FilterSwitch::off: return "#FILTER OFF";
+    case machine::FilterSwitch::unchanged: return "#FILTER";
   }
   return "#FILTER";
 }

@@ -23,37 +23,20 @@ FunctionMeaning take_function(int number, ModalWords& modal) {
     modal.plane_second = second;
   };
   switch (number) {
-    case 0:
-      modal.motion = MotionKind::rapid;
-      return FunctionMeaning::nothing;
-    case 1:
-      modal.motion = MotionKind::line;
-      return FunctionMeaning::nothing;
-    case 2:
-      modal.motion = MotionKind::clockwise;
-      return FunctionMeaning::nothing;
-    case 3:
-      modal.motion = MotionKind::counterclockwise;
-      return FunctionMeaning::nothing;
-    case 4:
-      return FunctionMeaning::dwell;
-    case 17:
-      plane('X', 'Y');
-      return FunctionMeaning::nothing;
-    case 18:
-      plane('Z', 'X');
-      return FunctionMeaning::nothing;
-    case 19:
-      plane('Y', 'Z');
-      return FunctionMeaning::nothing;
+    case 0: modal.motion = MotionKind::rapid; return FunctionMeaning::nothing;
+    case 1: modal.motion = MotionKind::line; return FunctionMeaning::nothing;
+    case 2: modal.motion = MotionKind::clockwise; return FunctionMeaning::nothing;
+    case 3: modal.motion = MotionKind::counterclockwise; return FunctionMeaning::nothing;
+    case 4: return FunctionMeaning::dwell;
+    case 17: plane('X', 'Y'); return FunctionMeaning::nothing;
+    case 18: plane('Z', 'X'); return FunctionMeaning::nothing;
+    case 19: plane('Y', 'Z'); return FunctionMeaning::nothing;
     case 40:
     case 53:
     case 80:
-    case 162:
-      return FunctionMeaning::nothing;  // the functions that they switch off are not supported
+    case 162: return FunctionMeaning::nothing;  // the functions that they switch off are not supported
     case 41:
-    case 42:
-      return FunctionMeaning::needs_tools;
+    case 42: return FunctionMeaning::needs_tools;
     case 54:
     case 55:
     case 56:
@@ -61,37 +44,28 @@ FunctionMeaning take_function(int number, ModalWords& modal) {
     case 58:
     case 59:
     case 92:
-    case 159:
-      return FunctionMeaning::needs_offsets;
+    case 159: return FunctionMeaning::needs_offsets;
     case 70:
-    case 71:
-      modal.inch = number == 70;
-      return FunctionMeaning::nothing;
+    case 71: modal.inch = number == 70; return FunctionMeaning::nothing;
     case 90:
-    case 91:
-      modal.incremental = number == 91;
-      return FunctionMeaning::nothing;
+    case 91: modal.incremental = number == 91; return FunctionMeaning::nothing;
     case 94:
     case 95:
       // A feed rate has the unit that counted when it was written.
       if (modal.feed_per_revolution != (number == 95)) modal.feed.reset();
       modal.feed_per_revolution = number == 95;
       return FunctionMeaning::nothing;
-    default:
-      return FunctionMeaning::unknown;
+    default: return FunctionMeaning::unknown;
   }
 }
 
 SentenceRef refusal_of(FunctionMeaning meaning) {
   switch (meaning) {
-    case FunctionMeaning::needs_tools:
-      return says::cannot_simulate_tool;
-    case FunctionMeaning::needs_offsets:
-      return says::cannot_simulate_offset;
+    case FunctionMeaning::needs_tools: return says::cannot_simulate_tool;
+    case FunctionMeaning::needs_offsets: return says::cannot_simulate_offset;
     case FunctionMeaning::nothing:
     case FunctionMeaning::dwell:
-    case FunctionMeaning::unknown:
-      return says::cannot_simulate;
+    case FunctionMeaning::unknown: return says::cannot_simulate;
   }
   return says::cannot_simulate;
 }

@@ -10,16 +10,12 @@ BadMeasurement bad_row(recordings::NumberRows const& rows) {
   auto const& bad = *rows.problem();
   auto const line = static_cast<std::size_t>(bad.line);
   switch (bad.problem) {
-    case RowProblem::not_a_number:
-      return {.problem = MeasurementProblem::not_a_number, .line = line};
-    case RowProblem::field_count:
-      return {.problem = MeasurementProblem::field_count, .line = line};
+    case RowProblem::not_a_number: return {.problem = MeasurementProblem::not_a_number, .line = line};
+    case RowProblem::field_count: return {.problem = MeasurementProblem::field_count, .line = line};
     case RowProblem::mixed_marks:
       return {.problem = MeasurementProblem::mixed_numbers, .line = line, .column = rows.names()[bad.column]};
-    case RowProblem::long_line:
-      return {.problem = MeasurementProblem::long_line, .line = line};
-    case RowProblem::no_rows:
-      break;
+    case RowProblem::long_line: return {.problem = MeasurementProblem::long_line, .line = line};
+    case RowProblem::no_rows: break;
   }
   return {.problem = MeasurementProblem::no_rows};
 }

@@ -149,16 +149,12 @@ class BudgetBlocks {
 
   [[nodiscard]] static Value name_of(DelayItem const& item) {
     switch (item.kind) {
-      case DelayKind::filter:
-        return item.filter;
-      case DelayKind::interpolator:
-        return Symbol{"interpolator", says::interpolator};
-      case DelayKind::lag:
-        return Symbol{"lag", says::lag};
+      case DelayKind::filter: return item.filter;
+      case DelayKind::interpolator: return Symbol{"interpolator", says::interpolator};
+      case DelayKind::lag: return Symbol{"lag", says::lag};
       case DelayKind::shift:
       case DelayKind::quantity:
-      case DelayKind::balancing:
-        break;
+      case DelayKind::balancing: break;
     }
     return validator::parameter_name(*item.cause);
   }

@@ -33,9 +33,7 @@ PortResponse::PortResponse(image::ImageContents const& image, image::RuntimeHost
       chains_.push_back(chain_of(contents.filters, 1));
       kernel_ = switched_on(image, host, axis);
       break;
-    case Port::interface:
-      chains_.push_back(chain_of(contents.interface_filters, 1));
-      break;
+    case Port::interface: chains_.push_back(chain_of(contents.interface_filters, 1)); break;
     case Port::velocity:
       for (auto const& stage : image.axes[contents.control->source].control->stages) {
         chains_.push_back(chain_of(stage.filters, -stage.weight));

@@ -63,16 +63,11 @@ bool is_whole(comparison::Signal const& signal, std::vector<std::size_t> const& 
 double thousandths_of(RecordedUnit unit, image::ImageAxis const& axis, bool is_whole) {
   constexpr double per_mm = 1000;
   switch (unit) {
-    case RecordedUnit::tenths:
-      return thousandths_per_tenth;
-    case RecordedUnit::um:
-      return 1;
-    case RecordedUnit::mm:
-      return per_mm;
-    case RecordedUnit::increments:
-      return increment(axis);
-    case RecordedUnit::recognised:
-      break;
+    case RecordedUnit::tenths: return thousandths_per_tenth;
+    case RecordedUnit::um: return 1;
+    case RecordedUnit::mm: return per_mm;
+    case RecordedUnit::increments: return increment(axis);
+    case RecordedUnit::recognised: break;
   }
   return is_whole ? thousandths_per_tenth : per_mm;
 }

@@ -23,14 +23,10 @@ std::optional<Signal> Signal::parse(std::string_view text) {
 double Signal::at(std::uint64_t n, double amplitude, design::CycleTime cycle_time) const {
   double const t = static_cast<double>(n) * cycle_time.nanoseconds / 1e9;
   switch (shape_) {
-    case Shape::step:
-      return amplitude;
-    case Shape::ramp:
-      return amplitude * (rate_ * t);
-    case Shape::sine:
-      return amplitude * std::sin(2 * std::numbers::pi * std::fmod(rate_ * t, 1.0));
-    case Shape::impulse:
-      return n == 0 ? amplitude : 0.0;
+    case Shape::step: return amplitude;
+    case Shape::ramp: return amplitude * (rate_ * t);
+    case Shape::sine: return amplitude * std::sin(2 * std::numbers::pi * std::fmod(rate_ * t, 1.0));
+    case Shape::impulse: return n == 0 ? amplitude : 0.0;
   }
   return 0;
 }

@@ -128,15 +128,10 @@ void execute(TimedCommand const& command, image::RuntimeHost& host, image::Image
   bool executed = false;
   for (std::uint32_t group = 0; group < host.group_count(); ++group) {
     switch (host.command(group, command.command)) {
-      case AXISRT_OK:
-        executed = true;
-        break;
-      case AXISRT_NO_BANK:
-        break;
-      case AXISRT_BUSY:
-        refuse(says::command_busy, command, path);
-      default:
-        refuse(says::command_standstill, command, path);
+      case AXISRT_OK: executed = true; break;
+      case AXISRT_NO_BANK: break;
+      case AXISRT_BUSY: refuse(says::command_busy, command, path);
+      default: refuse(says::command_standstill, command, path);
     }
   }
   if (!executed) refuse_bank(command, image, path);

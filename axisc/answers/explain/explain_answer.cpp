@@ -105,12 +105,9 @@ Document document_of(Section section) {
 Symbol severity_symbol(Severity severity) {
   auto const name = severity_name(severity);
   switch (severity) {
-    case Severity::error:
-      return {name, says::word_error};
-    case Severity::warning:
-      return {name, says::word_warning};
-    case Severity::note:
-      break;
+    case Severity::error: return {name, says::word_error};
+    case Severity::warning: return {name, says::word_warning};
+    case Severity::note: break;
   }
   return {name, says::word_note};
 }

@@ -23,12 +23,9 @@ namespace {
 
 Symbol use_of(schema::MotionWord const& word) {
   switch (word.use) {
-    case schema::WordUse::computed:
-      return {"computed", says::word_computed};
-    case schema::WordUse::accepted:
-      return {"accepted", says::word_accepted};
-    case schema::WordUse::refused:
-      break;
+    case schema::WordUse::computed: return {"computed", says::word_computed};
+    case schema::WordUse::accepted: return {"accepted", says::word_accepted};
+    case schema::WordUse::refused: break;
   }
   return {"refused", says::word_refused};
 }

@@ -216,21 +216,15 @@ std::optional<pictures::Figure> picture_answer(Workspace& workspace, PictureQues
     case PictureKind::path:
       figure = followed_path(question, machine_of(question, now->input, question.input), errors);
       break;
-    case PictureKind::compare:
-      figure = compared(question, now->input);
-      break;
+    case PictureKind::compare: figure = compared(question, now->input); break;
     case PictureKind::corner:
     case PictureKind::circle:
       figure = contour_figure(question, now->input, before ? &before->input : nullptr);
       break;
-    case PictureKind::dynamics:
-      figure = driven_figure(question, *now, before ? &*before : nullptr);
-      break;
+    case PictureKind::dynamics: figure = driven_figure(question, *now, before ? &*before : nullptr); break;
     case PictureKind::response:
     case PictureKind::step:
-    case PictureKind::delay:
-      figure = axes_figure(question, *now, before ? &*before : nullptr);
-      break;
+    case PictureKind::delay: figure = axes_figure(question, *now, before ? &*before : nullptr); break;
   }
   if (figure) figure->shows_table = before.has_value();
   return figure;

@@ -86,24 +86,18 @@ Table sections_table(design::FilterDesign const& made, design::CycleTime cycle_t
 
 Symbol realisation_symbol(design::Realisation realisation) {
   switch (realisation) {
-    case design::Realisation::pass_through:
-      return {"pass-through", says::pass_through};
-    case design::Realisation::delay:
-      return {"delay", says::pure_delay};
-    case design::Realisation::sections:
-      break;
+    case design::Realisation::pass_through: return {"pass-through", says::pass_through};
+    case design::Realisation::delay: return {"delay", says::pure_delay};
+    case design::Realisation::sections: break;
   }
   return {"sections", says::in_sections};
 }
 
 Symbol controller_symbol(machine::PositionController controller) {
   switch (controller) {
-    case machine::PositionController::drive:
-      return {"drive", says::in_drive};
-    case machine::PositionController::cnc:
-      return {"cnc", says::in_cnc};
-    case machine::PositionController::unknown:
-      break;
+    case machine::PositionController::drive: return {"drive", says::in_drive};
+    case machine::PositionController::cnc: return {"cnc", says::in_cnc};
+    case machine::PositionController::unknown: break;
   }
   return {"unknown", says::unknown};
 }

@@ -34,16 +34,11 @@ namespace {
 
 Symbol type_symbol(design::KernelType type) {
   switch (type) {
-    case design::KernelType::moving_average:
-      return {"moving average", says::moving_average};
-    case design::KernelType::gaussian:
-      return {"Gaussian", says::gaussian};
-    case design::KernelType::windowed_sinc:
-      return {"windowed sinc", says::windowed_sinc};
-    case design::KernelType::time_delay:
-      return {"time delay", says::time_delay};
-    case design::KernelType::novib:
-      break;
+    case design::KernelType::moving_average: return {"moving average", says::moving_average};
+    case design::KernelType::gaussian: return {"Gaussian", says::gaussian};
+    case design::KernelType::windowed_sinc: return {"windowed sinc", says::windowed_sinc};
+    case design::KernelType::time_delay: return {"time delay", says::time_delay};
+    case design::KernelType::novib: break;
   }
   return {"NoVib", says::novib};
 }

@@ -42,16 +42,11 @@ constexpr std::size_t most_rows = 200;
 
 std::string_view level_name(std::uint32_t level) {
   switch (level) {
-    case AXISRT_LEVEL_X86_64_V2:
-      return "x86-64-v2";
-    case AXISRT_LEVEL_X86_64_V3:
-      return "x86-64-v3";
-    case AXISRT_LEVEL_X86_64_V4:
-      return "x86-64-v4";
-    case AXISRT_LEVEL_NEON:
-      return "neon";
-    default:
-      return "portable";
+    case AXISRT_LEVEL_X86_64_V2: return "x86-64-v2";
+    case AXISRT_LEVEL_X86_64_V3: return "x86-64-v3";
+    case AXISRT_LEVEL_X86_64_V4: return "x86-64-v4";
+    case AXISRT_LEVEL_NEON: return "neon";
+    default: return "portable";
   }
 }
 
@@ -69,14 +64,10 @@ std::string command_text(axisrt_filter_command const& command) {
   add(AXISRT_KEYWORD_HSC, "HSC");
   std::string const bracket = words.empty() ? "" : " [" + words + "]";
   switch (command.action) {
-    case AXISRT_ACTION_ON:
-      return "#FILTER ON" + bracket;
-    case AXISRT_ACTION_OFF:
-      return "#FILTER OFF";
-    case AXISRT_ACTION_PROGRAM_END:
-      return "M30";
-    default:
-      return "#FILTER" + bracket;
+    case AXISRT_ACTION_ON: return "#FILTER ON" + bracket;
+    case AXISRT_ACTION_OFF: return "#FILTER OFF";
+    case AXISRT_ACTION_PROGRAM_END: return "M30";
+    default: return "#FILTER" + bracket;
   }
 }
 
@@ -112,18 +103,10 @@ void ReplayReport::add_call(ReplayedEntry const& entry) {
     return Words(words, {{"value", Quantity{.value = entry.in.at(0), .digits = Digits::exact()}}});
   };
   switch (entry.kind) {
-    case RecordedKind::reset:
-      event.what = at(says::reset);
-      break;
-    case RecordedKind::reset_interface:
-      event.what = at(says::reset_interface);
-      break;
-    case RecordedKind::reset_velocity:
-      event.what = Words(says::reset_velocity);
-      break;
-    case RecordedKind::rebase:
-      event.what = at(says::rebase);
-      break;
+    case RecordedKind::reset: event.what = at(says::reset); break;
+    case RecordedKind::reset_interface: event.what = at(says::reset_interface); break;
+    case RecordedKind::reset_velocity: event.what = Words(says::reset_velocity); break;
+    case RecordedKind::rebase: event.what = at(says::rebase); break;
     default:
       event.what = command_text(entry.command);
       event.subject = entry.index < image_.groups.size() ? image_.groups[entry.index].name : std::string();

@@ -44,8 +44,7 @@ double expected_moment(KernelSpecification const& kernel, double cycle_time) {
         double const sinc = k == 0 ? 1 : std::sin(pi * x) / (pi * x);
         return sinc * (0.54 + 0.46 * std::cos(pi * k / h));
       });
-    default:
-      return first_moment(h, [](int) { return 1.0; });
+    default: return first_moment(h, [](int) { return 1.0; });
   }
 }
 

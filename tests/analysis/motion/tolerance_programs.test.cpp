@@ -64,18 +64,12 @@ class RandomProgram {
     direction_ += turn;
     switch (random_.whole(0, 6)) {
       case 0:
-      case 1:
-        return line(random_.logarithmic(0.5, 8), 0);
-      case 2:
-        return line(random_.logarithmic(0.005, 0.3), random_.number(-0.1, 0.1));
-      case 3:
-        return arc(random_.logarithmic(0.3, 6), random_.number(0.2, 6), 0);
-      case 4:
-        return arc(random_.logarithmic(0.3, 6), 2 * pi, 0);
-      case 5:
-        return arc(random_.logarithmic(0.5, 4), random_.number(1, 6), random_.number(-2, 2));
-      default:
-        return polyline(random_.logarithmic(0.5, 5), random_.logarithmic(0.05, 0.5));
+      case 1: return line(random_.logarithmic(0.5, 8), 0);
+      case 2: return line(random_.logarithmic(0.005, 0.3), random_.number(-0.1, 0.1));
+      case 3: return arc(random_.logarithmic(0.3, 6), random_.number(0.2, 6), 0);
+      case 4: return arc(random_.logarithmic(0.3, 6), 2 * pi, 0);
+      case 5: return arc(random_.logarithmic(0.5, 4), random_.number(1, 6), random_.number(-2, 2));
+      default: return polyline(random_.logarithmic(0.5, 5), random_.logarithmic(0.05, 0.5));
     }
   }
 

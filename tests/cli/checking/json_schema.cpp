@@ -89,17 +89,12 @@ Json object_schema(JsonShape const& shape) {
 
 Json schema_of_kind(JsonShape const& shape) {
   switch (shape.kind) {
-    case Kind::anything:
-      return Json::object();
-    case Kind::null:
-      return {{"type", "null"}};
-    case Kind::flag:
-      return {{"type", "boolean"}};
+    case Kind::anything: return Json::object();
+    case Kind::null: return {{"type", "null"}};
+    case Kind::flag: return {{"type", "boolean"}};
     case Kind::number:
-    case Kind::whole_number:
-      return number_schema(shape);
-    case Kind::text:
-      return text_schema(shape);
+    case Kind::whole_number: return number_schema(shape);
+    case Kind::text: return text_schema(shape);
     case Kind::list: {
       Json schema{{"type", "array"}};
       if (shape.fewest != 0) schema["minItems"] = shape.fewest;
@@ -108,8 +103,7 @@ Json schema_of_kind(JsonShape const& shape) {
       schema["items"] = schema_of(*shape.items);
       return schema;
     }
-    case Kind::object:
-      return object_schema(shape);
+    case Kind::object: return object_schema(shape);
     case Kind::map: {
       Json schema{{"type", "object"}};
       if (shape.fewest != 0) schema["minProperties"] = shape.fewest;
@@ -117,8 +111,7 @@ Json schema_of_kind(JsonShape const& shape) {
       schema["additionalProperties"] = schema_of(*shape.items);
       return schema;
     }
-    case Kind::either:
-      break;
+    case Kind::either: break;
   }
   Json alternatives = Json::array();
   for (JsonShape const* const alternative : shape.alternatives) {

@@ -167,16 +167,11 @@ namespace {
 /// A chain for a frequency; those of the lowest quality are the hardest on an input that alternates.
 std::vector<ExactFilter> hard_chain(int kind, Quad f) {
   switch (kind) {
-    case 0:
-      return {exact::bandstop_of_order_3(f, T, 1)};
-    case 1:
-      return std::vector<ExactFilter>(3, exact::bandstop_of_order_3(f, T, 10));
-    case 2:
-      return {exact::lowpass(f, T, Quad{7} / 10), exact::allpass(f, T, 2)};
-    case 3:
-      return {exact::highpass(f, T, 1)};
-    default:
-      return {exact::allpass(f, T, Quad{7} / 10)};
+    case 0: return {exact::bandstop_of_order_3(f, T, 1)};
+    case 1: return std::vector<ExactFilter>(3, exact::bandstop_of_order_3(f, T, 10));
+    case 2: return {exact::lowpass(f, T, Quad{7} / 10), exact::allpass(f, T, 2)};
+    case 3: return {exact::highpass(f, T, 1)};
+    default: return {exact::allpass(f, T, Quad{7} / 10)};
   }
 }
 
@@ -192,15 +187,10 @@ class HardInput {
     double const noise = std::ldexp(static_cast<double>(state_ >> 33U), -30) - 1;  // -1 to 1
     ++cycle_;
     switch (kind_) {
-      case 0:
-        return position_ = (cycle_ & 1U) != 0 ? 1000 : -1000;
-      case 1:
-        return position_ = 5000 + ((cycle_ & 2U) != 0 ? 1e6 : -1e6);
-      case 2:
-        return position_ = 1e9 + 1000 * noise;
-      default:
-        velocity_ += 20 * noise;
-        return position_ += velocity_;
+      case 0: return position_ = (cycle_ & 1U) != 0 ? 1000 : -1000;
+      case 1: return position_ = 5000 + ((cycle_ & 2U) != 0 ? 1e6 : -1e6);
+      case 2: return position_ = 1e9 + 1000 * noise;
+      default: velocity_ += 20 * noise; return position_ += velocity_;
     }
   }
   static constexpr int kinds = 4;

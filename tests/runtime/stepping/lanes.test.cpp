@@ -118,30 +118,21 @@ Axis chain(unsigned kind, unsigned variant) {
   Axis axis;
   axis.start = variant % 2 == 0 ? 1e9 : -12345.678 * variant;
   switch (kind) {
-    case 0:
-      break;
+    case 0: break;
     case 1:
       axis.filters = {exact::bandstop_of_order_3(f, T, 4), exact::lowpass(f * 4, T, 0.7)};
       axis.filters.resize(variant % 3 == 2 ? 1 : 2);
       break;
-    case 2:
-      axis.filters = {exact::pt1(f, T)};
-      break;
-    case 3:
-      axis.filters = {exact::with_share(exact::bandstop(f, T, 3), 0.25), exact::pt2(f, T)};
-      break;
+    case 2: axis.filters = {exact::pt1(f, T)}; break;
+    case 3: axis.filters = {exact::with_share(exact::bandstop(f, T, 3), 0.25), exact::pt2(f, T)}; break;
     case 4:
       axis.filters = {exact::with_share(exact::highpass(f, T, 0.7), 0.5), exact::lowpass(f, T, 1)};
       if (variant % 3 == 1)
         axis.filters[0] = exact::joined(exact::highpass(f, T, 0.5), exact::highpass(f, T, 1));
       axis.blocks = true;
       break;
-    case 5:
-      axis.filters = {exact::pt2(f, T), exact::delay(7), exact::bandstop(f, T, 2)};
-      break;
-    case 6:
-      axis.filters = {exact::with_share(exact::delay(5), 0.3)};
-      break;
+    case 5: axis.filters = {exact::pt2(f, T), exact::delay(7), exact::bandstop(f, T, 2)}; break;
+    case 6: axis.filters = {exact::with_share(exact::delay(5), 0.3)}; break;
     default:
       axis.filters = {exact::bandstop(f, T, 5), exact::bandstop(f + 7, T, 5),
                       exact::bandstop_of_order_3(f + 15, T, 5)};

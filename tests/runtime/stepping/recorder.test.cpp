@@ -158,9 +158,7 @@ Replayed replay(AlignedMemory const& image, Bytes const& dump) {
         at += 5 * n + status_words;
         break;
       }
-      case axrd_reset:
-        happened = axisrt_reset(restored.runtime, index, number(word_at(dump, at++)));
-        break;
+      case axrd_reset: happened = axisrt_reset(restored.runtime, index, number(word_at(dump, at++))); break;
       case axrd_reset_interface:
         happened = axisrt_reset_interface(restored.runtime, index, number(word_at(dump, at++)));
         break;
@@ -170,9 +168,7 @@ Replayed replay(AlignedMemory const& image, Bytes const& dump) {
         at += 3;
         break;
       }
-      case axrd_rebase:
-        happened = axisrt_rebase(restored.runtime, index, number(word_at(dump, at++)));
-        break;
+      case axrd_rebase: happened = axisrt_rebase(restored.runtime, index, number(word_at(dump, at++))); break;
       case axrd_command: {
         axisrt_filter_command command{};
         command.size = sizeof command;
@@ -187,8 +183,7 @@ Replayed replay(AlignedMemory const& image, Bytes const& dump) {
         at += axrd_command_words;
         break;
       }
-      default:
-        FAIL("an entry of unknown kind");
+      default: FAIL("an entry of unknown kind");
     }
     result.differences += happened == expected ? 0 : 1;
   }

@@ -73,17 +73,10 @@ void drive(axisrt const* runtime, int cycles) {
       double const size = std::ldexp(1.0 + 0x1p-52 * static_cast<double>(random() >> 12U),
                                      53 - static_cast<int>(random() % 1125));
       switch (random() % 6) {
-        case 0:
-          in = 0;
-          break;
-        case 1:
-          in = std::nextafter(in, 1e300);
-          break;
-        case 2:
-          in = -in;
-          break;
-        default:
-          in = random() % 2 == 0 ? size : -size;
+        case 0: in = 0; break;
+        case 1: in = std::nextafter(in, 1e300); break;
+        case 2: in = -in; break;
+        default: in = random() % 2 == 0 ? size : -size;
       }
     }
     if (cycle % 700 == 60) in = 0;

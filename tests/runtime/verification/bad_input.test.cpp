@@ -103,17 +103,10 @@ TEST_CASE("a million hostile inputs leave finite states") {
     std::uint64_t const bits = random();
     double in = 0;
     switch (bits % 4) {
-      case 0:
-        in = hostile[(bits >> 2U) % hostile.size()];
-        break;
-      case 1:
-        in = i % 2 == 0 ? 0x1p53 : -0x1p53;
-        break;
-      case 2:
-        in = std::ldexp(static_cast<double>(random()), -20);
-        break;
-      default:
-        in = i % 2 == 0 ? 1e308 : -1e308;
+      case 0: in = hostile[(bits >> 2U) % hostile.size()]; break;
+      case 1: in = i % 2 == 0 ? 0x1p53 : -0x1p53; break;
+      case 2: in = std::ldexp(static_cast<double>(random()), -20); break;
+      default: in = i % 2 == 0 ? 1e308 : -1e308;
     }
     bool const finite = std::isfinite(runtime.step(in)) && std::isfinite(blocking.step(in));
     if (!finite || (i % 1000 == 0 && !(all_finite(runtime.state()) && all_finite(blocking.state())))) {

@@ -50,8 +50,7 @@ Trouble trouble_of(schema::NumberStatus status) {
           .headline = says::exponent, .reaction = says::exponent_reaction, .control = "1027", .result = ""};
     case schema::NumberStatus::good:
     case schema::NumberStatus::not_a_number:
-    case schema::NumberStatus::out_of_data_range:
-      break;
+    case schema::NumberStatus::out_of_data_range: break;
   }
   return {.headline = says::headline, .reaction = says::reaction, .control = "", .result = "0"};
 }

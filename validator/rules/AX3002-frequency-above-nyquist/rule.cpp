@@ -31,12 +31,9 @@ constexpr std::string_view position_controller_refused = "70420";
 
 std::string_view message_of(Filtering filtering) {
   switch (filtering) {
-    case Filtering::setpoint:
-      return setpoint_refused;
-    case Filtering::vibration_guard:
-      return guard_refused;
-    case Filtering::position_controller:
-      return position_controller_refused;
+    case Filtering::setpoint: return setpoint_refused;
+    case Filtering::vibration_guard: return guard_refused;
+    case Filtering::position_controller: return position_controller_refused;
   }
   return {};
 }

@@ -31,12 +31,9 @@ namespace {
 /// NC cycles between the vibration and the velocity that answers it.
 double dead_cycles(machine::StageMode mode) {
   switch (mode) {
-    case machine::StageMode::direct:
-      return 0;
-    case machine::StageMode::indirect:
-      return 2;
-    case machine::StageMode::set_point:
-      return 1;
+    case machine::StageMode::direct: return 0;
+    case machine::StageMode::indirect: return 2;
+    case machine::StageMode::set_point: return 1;
   }
   return 0;
 }

@@ -2,7 +2,6 @@
 
 namespace axisc::validator::checks {
 
-extern constinit Rule const ax4020{
-};
+extern constinit Rule const ax4020{};
 
 }  // namespace axisc::validator::checks

@@ -2,7 +2,6 @@
 
 namespace axisc::validator::checks {
 
-extern constinit Rule const ax9001{
-};
+extern constinit Rule const ax9001{};
 
 }  // namespace axisc::validator::checks

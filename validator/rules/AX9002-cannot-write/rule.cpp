@@ -2,7 +2,6 @@
 
 namespace axisc::validator::checks {
 
-extern constinit Rule const ax9002{
-};
+extern constinit Rule const ax9002{};
 
 }  // namespace axisc::validator::checks

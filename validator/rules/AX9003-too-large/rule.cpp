@@ -2,7 +2,6 @@
 
 namespace axisc::validator::checks {
 
-extern constinit Rule const ax9003{
-};
+extern constinit Rule const ax9003{};
 
 }  // namespace axisc::validator::checks

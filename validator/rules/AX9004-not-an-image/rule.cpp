@@ -2,7 +2,6 @@
 
 namespace axisc::validator::checks {
 
-extern constinit Rule const ax9004{
-};
+extern constinit Rule const ax9004{};
 
 }  // namespace axisc::validator::checks

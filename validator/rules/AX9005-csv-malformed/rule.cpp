@@ -2,7 +2,6 @@
 
 namespace axisc::validator::checks {
 
-extern constinit Rule const ax9005{
-};
+extern constinit Rule const ax9005{};
 
 }  // namespace axisc::validator::checks

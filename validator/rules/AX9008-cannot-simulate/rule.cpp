@@ -2,7 +2,6 @@
 
 namespace axisc::validator::checks {
 
-extern constinit Rule const ax9008{
-};
+extern constinit Rule const ax9008{};
 
 }  // namespace axisc::validator::checks

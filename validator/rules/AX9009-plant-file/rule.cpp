@@ -2,7 +2,6 @@
 
 namespace axisc::validator::checks {
 
-extern constinit Rule const ax9009{
-};
+extern constinit Rule const ax9009{};
 
 }  // namespace axisc::validator::checks

@@ -25,16 +25,10 @@ void weigh_ramp_times(AxisWeights& weights, double percent, std::uint8_t which) 
 void weigh(AxisWeights& weights, Weighting::Of of, double percent, std::uint8_t acceleration,
            std::uint8_t ramp) {
   switch (of) {
-    case Weighting::Of::velocity:
-      weights.velocity = percent;
-      return;
-    case Weighting::Of::acceleration:
-      return weigh_acceleration(weights, percent, acceleration);
-    case Weighting::Of::ramp_times:
-      return weigh_ramp_times(weights, percent, ramp);
-    case Weighting::Of::curve_ramp_time:
-      weights.curve_ramp = percent;
-      return;
+    case Weighting::Of::velocity: weights.velocity = percent; return;
+    case Weighting::Of::acceleration: return weigh_acceleration(weights, percent, acceleration);
+    case Weighting::Of::ramp_times: return weigh_ramp_times(weights, percent, ramp);
+    case Weighting::Of::curve_ramp_time: weights.curve_ramp = percent; return;
   }
 }
 

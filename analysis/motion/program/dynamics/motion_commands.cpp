@@ -204,22 +204,13 @@ void take_motion_command(MotionWord const& word, std::size_t at, NcBlock const& 
     return state.problems.refuse(block, block.tokens[at], *word.refusal);
   }
   switch (word.effect) {
-    case MotionEffect::slope:
-      return command.slope();
-    case MotionEffect::slope_number:
-      return command.slope_number();
-    case MotionEffect::vector_limit:
-      return command.vector_limit();
-    case MotionEffect::least_corner_velocity:
-      return command.least_corner_velocity();
-    case MotionEffect::round_corners:
-      state.modal.rounds_corners = true;
-      return command.rounding();
-    case MotionEffect::round_no_more:
-      state.modal.rounds_corners = false;
-      return;
-    case MotionEffect::set_rounding:
-      return command.rounding();
+    case MotionEffect::slope: return command.slope();
+    case MotionEffect::slope_number: return command.slope_number();
+    case MotionEffect::vector_limit: return command.vector_limit();
+    case MotionEffect::least_corner_velocity: return command.least_corner_velocity();
+    case MotionEffect::round_corners: state.modal.rounds_corners = true; return command.rounding();
+    case MotionEffect::round_no_more: state.modal.rounds_corners = false; return;
+    case MotionEffect::set_rounding: return command.rounding();
     case MotionEffect::nothing:
     case MotionEffect::stop:
     case MotionEffect::stop_from_here:
@@ -230,8 +221,7 @@ void take_motion_command(MotionWord const& word, std::size_t at, NcBlock const& 
     case MotionEffect::limit_by:
     case MotionEffect::limit_by_all:
     case MotionEffect::weigh:
-    case MotionEffect::round_corner:
-      return;
+    case MotionEffect::round_corner: return;
   }
 }
 
