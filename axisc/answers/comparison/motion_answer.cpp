@@ -100,6 +100,12 @@ Message left_open(std::size_t key, MotionKeyVerdict const& verdict) {
            {"motion", wording_of(telling_motion_of(static_cast<MotionKey>(key)))}}};
 }
 
+/// For programs: µm or 0.001°. Nothing where the plan takes longer than the recording.
+Value length(double units) {
+  if (!std::isfinite(units)) return {};
+  return units / motion::units_per_um;
+}
+
 class Answer {
  public:
   explicit Answer(RecordedMotion const& recorded)
@@ -126,18 +132,13 @@ class Answer {
   void tell(SentenceRef sentence, std::vector<NamedValue> values = {}) {
     blocks_.emplace_back(Paragraph{Words(sentence, std::move(values))});
   }
-  /// For programs: µm or 0.001°. Infinite where the plan takes longer than the recording.
-  [[nodiscard]] Value length(double units) const {
-    if (!std::isfinite(units)) return {};
-    return units / motion::units_per_um;
-  }
   /// For people.
   [[nodiscard]] Value shown(double units) const {
     if (!std::isfinite(units)) return {};
     return recorded_.is_rotary ? rounded(units / motion::units_per_mm, Unit::degree, digits)
                                : rounded(units / motion::units_per_um, Unit::micrometre, digits);
   }
-  [[nodiscard]] Section deviation(std::string key, comparison::ExplainedMotion const& explained) const {
+  [[nodiscard]] static Section deviation(std::string key, comparison::ExplainedMotion const& explained) {
     std::vector<Field> fields{data("largest", length(explained.deviation.largest)),
                               data("rms", length(explained.deviation.rms()))};
     return data_section(std::move(key), std::move(fields));

@@ -34,7 +34,7 @@ struct MotionRecording {
 /// Follows a program that survey_program() accepted. Failure for a program that cannot be compared, at its
 /// line; for a recording in which its moves are not found; and those of read_recorded_positions().
 [[nodiscard]] RecordedMotion compare_program(ProgramLines& program, ProgramRequest const& request,
-                                             machine::Machine const& machine, std::size_t group,
+                                             machine::Machine const& machine, std::size_t index,
                                              MotionRecording const& recording);
 
 }  // namespace axisc

@@ -35,8 +35,9 @@ constexpr Sentence cannot_be_told{"{key} ({subject}) cannot be told on this mach
                                   "{key} ({subject}) lässt sich an dieser Maschine nicht feststellen; nötig "
                                   "ist {motion}."};
 constexpr Sentence may_stay_open{
-    "{key} ({subject}) may stay open, depending on what the control does; certain is {motion}.",
-    "{key} ({subject}) bleibt je nach Steuerung vielleicht offen; sicher ist {motion}."};
+    "{key} ({subject}) may stay open, depending on what the control does; what always tells is {motion}.",
+    "{key} ({subject}) bleibt vielleicht offen, je nachdem, was die Steuerung tut; immer entscheidet "
+    "{motion}."};
 
 }  // namespace axisc::says
 

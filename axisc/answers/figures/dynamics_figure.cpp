@@ -67,7 +67,10 @@ class DynamicsFigure {
     }
     figure.title = title();
     figure.description = description();
-    figure.table = dynamics_table(rows_, unit_, subject_.language);
+    figure.table = dynamics_table(rows_, {.feed = exact_number(wanted_.feed_mm_per_min),
+                                          .unit = unit_,
+                                          .has_before = subject_.before.has_value(),
+                                          .language = subject_.language});
     constexpr double air = 1.04;
     figure.x = {.quantity = subject_.say(labels::time), .unit = "s", .low = 0, .high = longest() * air};
     figure.panels.push_back(velocities());
@@ -88,35 +91,41 @@ class DynamicsFigure {
     auto const colour = names_.size();
     names_.push_back(name);
     note_unit(subject_.now.machine->axes[axis].type);
+    std::optional<DrivenState> before;
     if (auto const old = subject_.axis_before(axis)) {
       if (auto const was = driven_axis(*subject_.before->machine, *old)) {
-        add(*was, subject_.say(says::dynamics_before, {{"axis", name}}), pictures::Role::before, colour);
+        before = state_of(*was);
+        add(*before, subject_.say(says::dynamics_before, {{"axis", name}}), pictures::Role::before, colour);
       }
     }
     note_slope(*driven);
-    add(*driven, name, pictures::Role::whole, colour);
+    auto const now = state_of(*driven);
+    add(now, name, pictures::Role::whole, colour);
+    rows_.push_back({.axis = name, .before = before, .now = now});
+  }
+
+  [[nodiscard]] DrivenState state_of(DrivenAxis const& driven) const {
+    return {.driven = driven, .at_feed = driven.feed(wanted_), .in_rapid = driven.rapid(wanted_.distance_mm)};
   }
 
   /// G00 is drawn beside a single axis alone.
-  void add(DrivenAxis const& driven, std::string const& name, pictures::Role role, std::size_t colour) {
+  void add(DrivenState const& state, std::string const& name, pictures::Role role, std::size_t colour) {
+    auto const& driven = state.driven;
     Wording const feed = exact_number(wanted_.feed_mm_per_min);
-    auto const at_feed = driven.feed(wanted_);
-    auto const in_rapid = driven.rapid(wanted_.distance_mm);
     bool const is_single = subject_.axes.size() == 1 && !subject_.before;
     for (auto const& parameter : driven.uncomputed()) note(uncomputed_, parameter);
-    rows_.push_back({.axis = name, .driven = driven, .feed = feed, .at_feed = at_feed, .in_rapid = in_rapid});
     moves_.push_back(
         {.name = is_single ? subject_.say(says::dynamics_feed, {{"axis", name}, {"feed", feed}}) : name,
          .role = role,
          .colour = colour,
          .driven = driven,
-         .move = at_feed});
+         .move = state.at_feed});
     if (!is_single) return;
     moves_.push_back({.name = subject_.say(says::dynamics_rapid, {{"axis", name}}),
                       .role = pictures::Role::part,
                       .colour = colour + 1,
                       .driven = driven,
-                      .move = in_rapid});
+                      .move = state.in_rapid});
   }
 
   void note_unit(machine::AxisType type) {
@@ -250,7 +259,7 @@ class DynamicsFigure {
   PlotSubject const& subject_;
   WantedMove const& wanted_;
   std::vector<DrawnMove> moves_;
-  std::vector<DynamicsRow> rows_;
+  std::vector<DynamicsRows> rows_;
   std::vector<std::string> names_, slopes_, uncomputed_;
   std::string unit_;
 };

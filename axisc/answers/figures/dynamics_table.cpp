@@ -6,19 +6,26 @@
 #include "diagnostics/message.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace axisc::says {
 
-constexpr Sentence motion{"motion", "Bewegung"};
-constexpr Sentence at_feed{"F{feed}", "F{feed}"};
-constexpr Sentence in_rapid{"G00", "G00"};
-constexpr Sentence slope{"slope", "Slope"};
-constexpr Sentence through_corner{"corner", "Ecke"};
-constexpr Sentence reached_of_allowed{"{reached} of {allowed}", "{reached} von {allowed}"};
-constexpr Sentence stages{"{first}, above {changeover} {unit} {second}",
-                          "{first}, über {changeover} {unit} {second}"};
-constexpr Sentence up_and_down{"{up} / {down}", "{up} / {down}"};
-constexpr Sentence both_ramps{"{build_up}, {take_back}", "{build_up}, {take_back}"};
+constexpr Sentence dynamics_quantity{"quantity", "Größe"};
+constexpr Sentence dynamics_was{"{motion}, before", "{motion}, vorher"};
+constexpr Sentence dynamics_at_feed{"F{feed}", "F{feed}"};
+constexpr Sentence dynamics_slope{"slope", "Slope"};
+constexpr Sentence dynamics_ramps{"{quantity}, {ramp}", "{quantity}, {ramp}"};
+constexpr Sentence speeding_up{"accelerating", "Beschleunigen"};
+constexpr Sentence slowing_down{"braking", "Bremsen"};
+constexpr Sentence up_build_up{"building up acceleration", "Aufbau der Beschleunigung"};
+constexpr Sentence up_take_back{"taking back acceleration", "Abbau der Beschleunigung"};
+constexpr Sentence down_build_up{"building up deceleration", "Aufbau der Verzögerung"};
+constexpr Sentence down_take_back{"taking back deceleration", "Abbau der Verzögerung"};
+constexpr Sentence second_stage{"a above the changeover", "a über der Umschaltung"};
+constexpr Sentence changeover{"changeover", "Umschaltung"};
+constexpr Sentence velocity_allowed{"velocity limit", "Geschwindigkeitsgrenze"};
+constexpr Sentence velocity_reached{"velocity reached", "erreichte Geschwindigkeit"};
+constexpr Sentence through_corner{"through a corner of 90°", "durch eine Ecke von 90°"};
 
 }  // namespace axisc::says
 
@@ -28,99 +35,167 @@ namespace {
 
 constexpr int shown_digits = 4;
 
-class DynamicsTable {
- public:
-  /// `unit` outlives the table.
-  DynamicsTable(std::string const& unit, bool shows_slopes, Language language)
-      : unit_(unit), shows_slopes_(shows_slopes), language_(language) {}
+/// Of each column; none where the slope has no such quantity.
+using Cells = std::vector<std::optional<double>>;
 
-  [[nodiscard]] std::vector<std::string> header() const {
-    std::string const jerk_unit = unit_ == "mm" ? "m/s³" : "1000 " + unit_ + "/s³";
-    std::vector<std::string> cells{say(labels::axis), say(says::motion)};
-    if (shows_slopes_) cells.push_back(say(says::slope));
-    cells.insert(cells.end(),
-                 {"a [" + unit_ + "/s²]", "tr [ms]", "a/tr [" + jerk_unit + "]", "v [" + unit_ + "/s]",
-                  say(says::through_corner) + " [" + unit_ + "/s]", "t [s]"});
-    return cells;
+/// Rows of one axis.
+class AxisTable {
+ public:
+  AxisTable(pictures::Table& table, DynamicsRows const& axis, DynamicsTerms const& terms)
+      : table_(table), axis_(axis), terms_(terms) {
+    for (bool const rapid : {false, true}) {
+      if (terms.has_before) columns_.push_back({axis.before ? &*axis.before : nullptr, rapid});
+      columns_.push_back({&axis.now, rapid});
+    }
+    for (auto& column : columns_) {
+      if (column.state != nullptr) column.mode = column.state->driven.mode(column.rapid);
+    }
   }
 
-  [[nodiscard]] std::vector<std::string> row(DynamicsRow const& row, bool rapid) const {
-    auto const& driven = row.driven;
-    auto const mode = driven.mode(rapid);
-    auto const& move = rapid ? row.in_rapid : row.at_feed;
-    bool const is_step = driven.slope() == machine::Slope::step;
-    std::vector<std::string> cells{row.axis,
-                                   rapid ? say(says::in_rapid) : say(says::at_feed, {{"feed", row.feed}})};
-    if (shows_slopes_) cells.emplace_back(slope_name(driven.slope()));
-    cells.push_back(of_both(mode, [&](motion::AxisRamp const& ramp) {
-      return is_step ? staged(driven, ramp) : text(driven.acceleration(ramp.acceleration));
-    }));
-    cells.push_back(
-        is_step ? "-" : of_both(mode, [&](motion::AxisRamp const& ramp) { return times(driven, ramp); }));
-    cells.push_back(
-        is_step ? "∞" : of_both(mode, [&](motion::AxisRamp const& ramp) { return jerks(driven, ramp); }));
-    cells.push_back(say(says::reached_of_allowed, {{"reached", text(move.velocity)},
-                                                   {"allowed", text(driven.velocity(mode.velocity))}}));
-    cells.push_back(rapid ? "-" : text(driven.corner_velocity()));
-    cells.push_back(text(move.seconds));
-    return cells;
+  void write() {
+    write_slopes();
+    write_of_both("a", unit("/s²"), [](Column const& column, motion::AxisRamp const& ramp) {
+      return std::optional(
+          column.state->driven.acceleration(column.is_step() ? ramp.first : ramp.acceleration));
+    });
+    write_of_both(
+        say(says::second_stage), unit("/s²"), [](Column const& column, motion::AxisRamp const& ramp) {
+          return column.has_stages(ramp) ? std::optional(column.state->driven.acceleration(ramp.second))
+                                         : std::nullopt;
+        });
+    write_row(label(say(says::changeover), unit("/s")), cells([](Column const& column) {
+                return column.has_stages(column.mode.up)
+                           ? std::optional(column.state->driven.velocity(column.mode.up.changeover))
+                           : std::nullopt;
+              }));
+    write_ramps("tr", "ms", [](Column const& column, motion::AxisRamp const&, double time) {
+      constexpr double ms_per_s = 1000;
+      return column.state->driven.seconds(time) * ms_per_s;
+    });
+    write_ramps("a/tr", terms_.unit == "mm" ? "m/s³" : "1000 " + unit("/s³"),
+                [](Column const& column, motion::AxisRamp const& ramp, double time) {
+                  return column.state->driven.jerk(ramp.acceleration / time);
+                });
+    write_row(label(say(says::velocity_allowed), unit("/s")), cells([](Column const& column) {
+                return std::optional(column.state->driven.velocity(column.mode.velocity));
+              }));
+    write_row(label(say(says::velocity_reached), unit("/s")),
+              cells([](Column const& column) { return std::optional(column.move().velocity); }));
+    write_row(label(say(says::through_corner), unit("/s")), cells([](Column const& column) {
+                return column.rapid ? std::nullopt : std::optional(column.state->driven.corner_velocity());
+              }));
+    write_row(label(say(labels::time), "s"),
+              cells([](Column const& column) { return std::optional(column.move().seconds); }));
   }
 
  private:
+  struct Column {
+    DrivenState const* state = nullptr;  ///< null: the axis was not there before
+    bool rapid = false;
+    motion::AxisMode mode = {};
+
+    [[nodiscard]] bool is_step() const { return state->driven.slope() == machine::Slope::step; }
+    [[nodiscard]] bool has_stages(motion::AxisRamp const& ramp) const {
+      return is_step() && ramp.first != ramp.second;
+    }
+    [[nodiscard]] PlannedMove const& move() const { return rapid ? state->in_rapid : state->at_feed; }
+  };
+
   [[nodiscard]] std::string say(SentenceRef sentence, std::vector<Argument> arguments = {}) const {
-    return render({sentence, std::move(arguments)}, language_);
+    return render({sentence, std::move(arguments)}, terms_.language);
   }
-  [[nodiscard]] std::string text(double value) const {
-    return format_rounded(value, shown_digits).in(language_);
+  [[nodiscard]] std::string unit(std::string const& per) const { return terms_.unit + per; }
+  [[nodiscard]] static std::string label(std::string const& quantity, std::string const& unit) {
+    return quantity + " [" + unit + "]";
   }
-
-  template <class TextOf>
-  [[nodiscard]] std::string of_both(motion::AxisMode const& mode, TextOf text_of) const {
-    std::string const up = text_of(mode.up);
-    std::string const down = text_of(mode.down);
-    return up == down ? up : say(says::up_and_down, {{"up", up}, {"down", down}});
+  [[nodiscard]] std::string label_of(std::string const& quantity, SentenceRef part,
+                                     std::string const& unit) const {
+    return label(say(says::dynamics_ramps, {{"quantity", quantity}, {"ramp", say(part)}}), unit);
   }
 
-  [[nodiscard]] std::string staged(DrivenAxis const& driven, motion::AxisRamp const& ramp) const {
-    std::string const first = text(driven.acceleration(ramp.first));
-    if (ramp.first == ramp.second) return first;
-    return say(says::stages, {{"first", first},
-                              {"changeover", text(driven.velocity(ramp.changeover))},
-                              {"unit", unit_ + "/s"},
-                              {"second", text(driven.acceleration(ramp.second))}});
+  template <class ValueOf>
+  [[nodiscard]] Cells cells(ValueOf value_of) const {
+    Cells found;
+    for (auto const& column : columns_) {
+      found.push_back(column.state != nullptr ? value_of(column) : std::nullopt);
+    }
+    return found;
   }
 
-  [[nodiscard]] std::string pair(double build_up, double take_back) const {
-    if (build_up == take_back) return text(build_up);
-    return say(says::both_ramps, {{"build_up", text(build_up)}, {"take_back", text(take_back)}});
-  }
-  [[nodiscard]] std::string times(DrivenAxis const& driven, motion::AxisRamp const& ramp) const {
-    constexpr double ms_per_s = 1000;
-    return pair(driven.seconds(ramp.build_up) * ms_per_s, driven.seconds(ramp.take_back) * ms_per_s);
-  }
-  [[nodiscard]] std::string jerks(DrivenAxis const& driven, motion::AxisRamp const& ramp) const {
-    return pair(driven.jerk(ramp.acceleration / ramp.build_up),
-                driven.jerk(ramp.acceleration / ramp.take_back));
+  void write_slopes() {
+    std::vector<std::string> row{axis_.axis, say(says::dynamics_slope)};
+    for (auto const& column : columns_) {
+      row.emplace_back(column.state != nullptr ? slope_name(column.state->driven.slope()) : "-");
+    }
+    table_.rows.push_back(std::move(row));
   }
 
-  std::string const& unit_;
-  bool shows_slopes_;
-  Language language_;
+  void write_row(std::string quantity, Cells const& values) {
+    bool const has_any = std::any_of(values.begin(), values.end(),
+                                     [](std::optional<double> const& value) { return value.has_value(); });
+    if (!has_any) return;
+    std::vector<std::string> row{axis_.axis, std::move(quantity)};
+    for (auto const& value : values) {
+      row.push_back(value ? format_rounded(*value, shown_digits).in(terms_.language) : "-");
+    }
+    table_.rows.push_back(std::move(row));
+  }
+
+  /// One row where accelerating and braking are alike, otherwise two.
+  template <class ValueOf>
+  void write_of_both(std::string const& quantity, std::string const& unit, ValueOf value_of) {
+    auto const up = cells([&](Column const& column) { return value_of(column, column.mode.up); });
+    auto const down = cells([&](Column const& column) { return value_of(column, column.mode.down); });
+    if (up == down) return write_row(label(quantity, unit), up);
+    write_row(label_of(quantity, says::speeding_up, unit), up);
+    write_row(label_of(quantity, says::slowing_down, unit), down);
+  }
+
+  /// One row where the four ramps are alike; none with STEP.
+  template <class ValueOf>
+  void write_ramps(std::string const& quantity, std::string const& unit, ValueOf value_of) {
+    struct Ramp {
+      SentenceRef name;
+      motion::AxisRamp motion::AxisMode::*ramp;
+      double motion::AxisRamp::*time;
+    };
+    std::array const ramps = {
+        Ramp{says::up_build_up, &motion::AxisMode::up, &motion::AxisRamp::build_up},
+        Ramp{says::up_take_back, &motion::AxisMode::up, &motion::AxisRamp::take_back},
+        Ramp{says::down_build_up, &motion::AxisMode::down, &motion::AxisRamp::build_up},
+        Ramp{says::down_take_back, &motion::AxisMode::down, &motion::AxisRamp::take_back}};
+    std::vector<Cells> found;
+    for (auto const& each : ramps) {
+      found.push_back(cells([&](Column const& column) {
+        auto const& ramp = column.mode.*each.ramp;
+        return column.is_step() ? std::nullopt : std::optional(value_of(column, ramp, ramp.*each.time));
+      }));
+    }
+    bool const are_alike = std::all_of(found.begin(), found.end(),
+                                       [&found](Cells const& each) { return each == found.front(); });
+    if (are_alike) return write_row(label(quantity, unit), found.front());
+    for (std::size_t i = 0; i < ramps.size(); ++i)
+      write_row(label_of(quantity, ramps.at(i).name, unit), found[i]);
+  }
+
+  pictures::Table& table_;
+  DynamicsRows const& axis_;
+  DynamicsTerms const& terms_;
+  std::vector<Column> columns_;
 };
 
 }  // namespace
 
-pictures::Table dynamics_table(std::vector<DynamicsRow> const& rows, std::string const& unit,
-                               Language language) {
-  bool const has_slopes = std::any_of(rows.begin(), rows.end(), [&rows](DynamicsRow const& row) {
-    return row.driven.slope() != rows.front().driven.slope();
-  });
-  DynamicsTable const writer(unit, has_slopes, language);
-  pictures::Table table{.header = writer.header(), .rows = {}};
-  for (auto const& row : rows) {
-    table.rows.push_back(writer.row(row, false));
-    table.rows.push_back(writer.row(row, true));
+pictures::Table dynamics_table(std::vector<DynamicsRows> const& axes, DynamicsTerms const& terms) {
+  auto const say = [&terms](SentenceRef sentence, std::vector<Argument> arguments = {}) {
+    return render({sentence, std::move(arguments)}, terms.language);
+  };
+  pictures::Table table{.header = {say(labels::axis), say(says::dynamics_quantity)}, .rows = {}};
+  for (auto const& motion : {say(says::dynamics_at_feed, {{"feed", terms.feed}}), std::string("G00")}) {
+    if (terms.has_before) table.header.push_back(say(says::dynamics_was, {{"motion", motion}}));
+    table.header.push_back(motion);
   }
+  for (auto const& axis : axes) AxisTable(table, axis, terms).write();
   return table;
 }
 

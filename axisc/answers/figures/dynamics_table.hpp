@@ -5,24 +5,37 @@
 #include "diagnostics/wording.hpp"
 #include "presentation/pictures/figure.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace axisc {
 
 /// An axis with a motion at feed and the same way in G00.
-struct DynamicsRow {
-  std::string axis;
+struct DrivenState {
   DrivenAxis driven;
-  Wording feed;  ///< mm/min
   PlannedMove at_feed, in_rapid;
 };
 
-/// For each axis a row at feed and one in G00: acceleration and ramp times as they count with the slope of
-/// the channel, the jerk a/tr of each ramp, the velocity that the motion reaches of the one that the axis
-/// allows, the velocity through a corner of 90°, and the time; the slope where it is not that of all. Values
-/// of braking stand behind those of accelerating where they differ. `unit` is "mm" or "°".
-[[nodiscard]] pictures::Table dynamics_table(std::vector<DynamicsRow> const& rows, std::string const& unit,
-                                             Language language);
+struct DynamicsRows {
+  std::string axis;
+  std::optional<DrivenState> before;
+  DrivenState now;
+};
+
+/// How the table names its columns and units.
+struct DynamicsTerms {
+  Wording feed;      ///< mm/min
+  std::string unit;  ///< "mm", "°"
+  bool has_before = false;
+  Language language = Language::english;
+};
+
+/// For each axis the slope, accelerations and ramp times as they count with it, the jerk a/tr, the velocity
+/// that the axis allows and the one that the motion reaches, the velocity through a corner of 90°, and the
+/// time; in columns at feed and in G00, as before and as now. Quantities that are the same have one row, as
+/// the four ramp times; what a slope does not have is left out.
+[[nodiscard]] pictures::Table dynamics_table(std::vector<DynamicsRows> const& axes,
+                                             DynamicsTerms const& terms);
 
 }  // namespace axisc

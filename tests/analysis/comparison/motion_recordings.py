@@ -5,10 +5,10 @@
     motion_recordings.py --store FOLDER                     the recording of samples/recording/motion
 
 For each of MACHINES random machines (1000) axisc writes the program, motion_control.py executes it in random readings, and axisc compares
-the recording with it. Every tenth control is none of the readings: it accelerates otherwise than its lists say, or passes circles otherwise,
-which must not keep moves without either from telling. A key can be told where every combination with another word of it
-leaves more than rounding in some move that one explains, whatever the offset. Ends with 1 where a wrong word was told, where one was told
-that the recording does not decide, or where less than 99 % of what can be told was told.
+the recording with it. Every tenth control is none of the readings: it accelerates otherwise than its lists say, or passes circles otherwise, which must not
+keep moves without either from telling. A key can be told where every combination with another word of it leaves more than rounding in
+some move that one explains, whatever the offset. Ends with 1 where a wrong word was told, where one was told that the recording does not
+decide, or where less than 99 % of what can be told was told.
 """
 import json
 import math
@@ -218,7 +218,7 @@ def main():
                 is_right = told[key] == word or "circle_part" in real and key == "circle" and told[key] in surely[key]
                 kind = "wrong" if not is_right else "rash" if len(surely[key]) > 1 else "told"
             else:
-                kind = "alike" if len(perhaps[key]) != 1 else "missed"
+                kind = "missed" if len(surely[key]) == 1 and surely[key] == perhaps[key] else "alike"
             (counts[key] if real == machine else outside)[kind] += 1
             if kind in ("wrong", "rash", "missed"):
                 print(f"machine {number}: {kind} {key}: {told.get(key)} for {word}, fitting {surely[key]}")
