@@ -32,6 +32,11 @@ constexpr Sentence option_table{"print the numbers of the picture as a table",
                                 "die Zahlen des Bilds als Tabelle ausgeben"};
 constexpr Sentence option_plotted_axis{"only this axis, with each of its filters (default: all)",
                                        "nur diese Achse, mit jedem ihrer Filter (Standardwert: alle)"};
+constexpr Sentence option_plotted_feed{
+    "feed rates in mm/min (default: 1000; for dynamics one feed rate, 6000)",
+    "Vorschübe in mm/min (Standardwert: 1000; für dynamics ein Vorschub, 6000)"};
+constexpr Sentence option_distance{"from rest to rest over this distance in mm (default: 100)",
+                                   "von Stillstand zu Stillstand über diesen Weg in mm (Standardwert: 100)"};
 constexpr Sentence option_mark{"also mark this frequency: 48 or 48Hz",
                                "auch diese Frequenz markieren: 48 oder 48Hz"};
 constexpr Sentence option_linear{"linear frequency (default: logarithmic)",
@@ -64,7 +69,7 @@ namespace {
 
 struct PlotOptions {
   PictureQuestion question;
-  std::optional<std::string> input, cycle_time, tolerance;
+  std::optional<std::string> input, cycle_time, tolerance, distance;
   ContourWords contour;
   PictureTarget target;
 };
@@ -79,10 +84,11 @@ void declare(CommandLine& command_line, PlotOptions& options) {
                       options.target.format, says::option_picture_format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, question.alone);
-  command_line.only_for("response, step, delay, corner, circle");
+  command_line.only_for("response, step, delay, corner, circle, dynamics");
   command_line.value("--before", "OTHER", question.before, says::option_before);
-  command_line.only_for("response, step, delay, compare");
+  command_line.only_for("response, step, delay, dynamics, compare");
   command_line.value("--axis", "NAME", question.axis, says::option_plotted_axis);
+  command_line.only_for("response, step, delay, compare");
   command_line.values("--at", "CYCLE:COMMAND", question.commands, says::option_at);
   command_line.only_for("response");
   command_line.values("--mark", "HZ", question.marks, says::option_mark);
@@ -93,13 +99,16 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.value("--measured", "FILE.csv", question.measured, says::option_measured);
   command_line.only_for("corner, circle, path");
   command_line.value("--group", "NAME", question.group, says::option_group);
+  command_line.only_for("corner, circle, dynamics");
+  command_line.value("--feed", "F[,F...]", options.contour.feeds, says::option_plotted_feed);
   command_line.only_for("corner, circle");
-  declare_feeds(command_line, options.contour);
   declare_orders(command_line, options.contour);
   command_line.only_for("corner");
   declare_angle(command_line, options.contour);
   command_line.only_for("circle");
   declare_radius(command_line, options.contour);
+  command_line.only_for("dynamics");
+  command_line.value("--distance", "MM", options.distance, says::option_distance);
   command_line.only_for("path");
   command_line.value("--program", "PART.nc", question.program, says::option_plotted_program);
   command_line.value("--plane", "XY", question.plane, says::option_plane);
@@ -119,6 +128,12 @@ void declare(CommandLine& command_line, PlotOptions& options) {
                       question.unit, says::option_recorded_unit);
 }
 
+void read_move(PlotOptions& options) {
+  auto& move = options.question.move_at_feed;
+  if (options.contour.feeds) move.feed_mm_per_min = positive_number("--feed", *options.contour.feeds);
+  if (options.distance) move.distance_mm = positive_number("--distance", *options.distance);
+}
+
 }  // namespace
 
 ExitStatus plot(Invocation const& invocation) {
@@ -133,6 +148,7 @@ ExitStatus plot(Invocation const& invocation) {
   question.input = *options.input;
   question.language = invocation.language;
   question.contour = read_contour_words(options.contour);
+  if (question.kind == PictureKind::dynamics) read_move(options);
   if (options.tolerance) question.tolerance_mm = positive_number("--tolerance", *options.tolerance);
   std::vector<std::string> inputs{question.input};
   for (auto const& other :

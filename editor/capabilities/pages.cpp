@@ -26,8 +26,9 @@ constexpr Sentence title_report{"Report: {machine}", "Bericht: {machine}"};
 constexpr Sentence title_machine{"Machine: {machine}", "Maschine: {machine}"};
 constexpr Sentence errors_first{"{machine} has errors: correct them first, they are among the problems",
                                 "{machine} hat Fehler: zuerst diese beheben, sie stehen unter den Problemen"};
-constexpr Sentence unknown_picture_kind{"no picture \"{kind}\": response, step, delay, corner or circle",
-                                        "kein Bild \"{kind}\": response, step, delay, corner oder circle"};
+constexpr Sentence unknown_picture_kind{
+    "no picture \"{kind}\": response, step, delay, corner, circle or dynamics",
+    "kein Bild \"{kind}\": response, step, delay, corner, circle oder dynamics"};
 constexpr Sentence unknown_rule{"no rule \"{code}\"", "keine Regel \"{code}\""};
 
 }  // namespace axisc::says
@@ -37,7 +38,7 @@ namespace axisc::editor {
 namespace {
 
 /// The kinds of pictures that need nothing but the machine come first.
-constexpr std::ptrdiff_t drawn_without_more = 5;
+constexpr std::ptrdiff_t drawn_without_more = 6;
 
 Page machine_page(PageSubject const& subject) {
   auto const language = subject.language;

@@ -15,6 +15,7 @@ export const kinds = {
   delay: { of: 'axes' },
   corner: { of: 'contour' },
   circle: { of: 'contour' },
+  dynamics: { of: 'axes' },
   path: { of: 'program' },
   plant: { of: 'plant' },
 } as const satisfies Record<string, Kind>;

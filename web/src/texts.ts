@@ -55,6 +55,7 @@ const texts = {
   delay: ['Delays', 'Verzögerungen'],
   corner: ['Corner', 'Ecke'],
   circle: ['Circle', 'Kreis'],
+  dynamics: ['Velocity and acceleration', 'Geschwindigkeit und Beschleunigung'],
   path: ['Path of a program', 'Bahn eines Programms'],
   program: ['Program', 'Programm'],
   plant: ['Position loop', 'Lageregelkreis'],

@@ -119,6 +119,27 @@ pictures::Figure axes_figure(PictureQuestion const& question, Plotted& now, Plot
   return response_figure(subject, response);
 }
 
+CheckedMachine const& machine_of(PictureQuestion const& question, InputImage const& input,
+                                 std::string const& path) {
+  if (input.machine) return *input.machine;
+  throw Failure({.sentence = says::kind_of_image,
+                 .arguments = {{"kind", std::string(word_of(question.kind))}, {"file", path}}});
+}
+
+pictures::Figure driven_figure(PictureQuestion const& question, Plotted& now, Plotted* before) {
+  auto const of_machine = [&](Plotted& state, std::string const& path) {
+    return PlottedImage{.file = state.input.image,
+                        .host = state.host,
+                        .machine = &machine_of(question, state.input, path).machine};
+  };
+  PlotSubject const subject{
+      .now = of_machine(now, question.input),
+      .before = before != nullptr ? std::optional(of_machine(*before, *question.before)) : std::nullopt,
+      .axes = chosen_axes(now.input.image.contents, question.axis ? question.axis : now.input.axis()),
+      .language = question.language};
+  return dynamics_figure(subject, question.move_at_feed);
+}
+
 pictures::Figure compared(PictureQuestion const& question, InputImage const& input) {
   auto const& contents = input.image.contents;
   auto const axis = recorded_axis(contents, question.axis ? question.axis : input.axis(), question.input);
@@ -127,12 +148,6 @@ pictures::Figure compared(PictureQuestion const& question, InputImage const& inp
   auto const found = compare_axis(contents, axis, *question.recording, question.columns, question.unit,
                                   kernel_switches(commands, contents, axis, question.input));
   return compare_figure(found, axis_label(contents, axis), contents.cycle_time.seconds(), question.language);
-}
-
-CheckedMachine const& machine_of(PictureQuestion const& question, InputImage const& input) {
-  if (input.machine) return *input.machine;
-  throw Failure({.sentence = says::kind_of_image,
-                 .arguments = {{"kind", std::string(word_of(question.kind))}, {"file", question.input}}});
 }
 
 /// "XY" or "X,Y"; without one the first two axes, of a single one itself.
@@ -196,11 +211,11 @@ std::optional<pictures::Figure> picture_answer(Workspace& workspace, PictureQues
     case PictureKind::plant:
       figure = plant_figure(
           run_plant({.machine_path = question.input, .plant_path = *question.plant, .move = *question.move},
-                    machine_of(question, now->input), false),
+                    machine_of(question, now->input, question.input), false),
           question.language);
       break;
     case PictureKind::path:
-      figure = followed_path(question, machine_of(question, now->input), errors);
+      figure = followed_path(question, machine_of(question, now->input, question.input), errors);
       break;
     case PictureKind::compare:
       figure = compared(question, now->input);
@@ -208,6 +223,9 @@ std::optional<pictures::Figure> picture_answer(Workspace& workspace, PictureQues
     case PictureKind::corner:
     case PictureKind::circle:
       figure = contour_figure(question, now->input, before ? &before->input : nullptr);
+      break;
+    case PictureKind::dynamics:
+      figure = driven_figure(question, *now, before ? &*before : nullptr);
       break;
     case PictureKind::response:
     case PictureKind::step:

@@ -18,20 +18,30 @@
 
 namespace axisc {
 
-enum class PictureKind : std::uint8_t { response, step, delay, corner, circle, path, plant, compare };
+enum class PictureKind : std::uint8_t {
+  response,
+  step,
+  delay,
+  corner,
+  circle,
+  dynamics,
+  path,
+  plant,
+  compare
+};
 
 /// With their words.
 inline std::initializer_list<std::pair<std::string_view, PictureKind>> const picture_kinds = {
-    {"response", PictureKind::response}, {"step", PictureKind::step},      {"delay", PictureKind::delay},
-    {"corner", PictureKind::corner},     {"circle", PictureKind::circle},  {"path", PictureKind::path},
-    {"plant", PictureKind::plant},       {"compare", PictureKind::compare}};
+    {"response", PictureKind::response}, {"step", PictureKind::step},     {"delay", PictureKind::delay},
+    {"corner", PictureKind::corner},     {"circle", PictureKind::circle}, {"dynamics", PictureKind::dynamics},
+    {"path", PictureKind::path},         {"plant", PictureKind::plant},   {"compare", PictureKind::compare}};
 [[nodiscard]] std::string_view word_of(PictureKind kind);
 
 struct PictureQuestion {
   std::string input;
   PictureKind kind = PictureKind::response;
   bool alone = false;
-  std::optional<std::string> before;  ///< an earlier state: response, step, delay, corner, circle
+  std::optional<std::string> before;  ///< an earlier state: all but path, plant, compare
   std::optional<std::string> axis;    ///< none: all, or that of the list
   std::optional<std::string> group;   ///< corner, circle, path; none: the first, or that of the list
   std::vector<std::string> commands;  ///< CYCLE:COMMAND
@@ -39,6 +49,7 @@ struct PictureQuestion {
   ResponsePlot response;
   std::optional<std::string> measured;        ///< response: a file
   ContourRequest contour;                     ///< corner, circle
+  WantedMove move_at_feed;                    ///< dynamics
   std::optional<std::string> program;         ///< path: a file
   std::optional<std::string> plane;           ///< path: "XY" or "X,Y"
   std::optional<double> tolerance_mm;         ///< path

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisc/answers/contour/contour_groups.hpp"
+#include "axisc/answers/dynamics/driven_axis.hpp"
 #include "axisc/answers/execution/group_chains.hpp"
 #include "axisc/answers/figures/measured_response.hpp"
 #include "axisc/files/image_file.hpp"
@@ -22,6 +23,7 @@ struct PlottedImage {
   image::RuntimeHost& host;
   image::StepAnswers* steps =
       nullptr;  ///< where several figures show this image, as it starts; null: none kept
+  machine::Machine const* machine = nullptr;  ///< from which it was compiled; null: not known
 
   [[nodiscard]] image::ImageContents const& contents() const { return file.contents; }
 };
@@ -74,6 +76,10 @@ struct ResponsePlot {
 /// Group delay at 0 Hz of each axis, one share per filter: with the FIR and HSC filters as --at switched
 /// them, else on, and then also what it is before, where they are off at start-up.
 [[nodiscard]] pictures::Figure delay_figure(PlotSubject const& subject);
+
+/// Velocity and acceleration over time from rest to rest, as `simulate` plans them without filters; of a
+/// single axis in G00, too. The machines of both states are known.
+[[nodiscard]] pictures::Figure dynamics_figure(PlotSubject const& subject, WantedMove const& wanted);
 
 /// Delay, -3 dB frequency, attenuation at characteristic frequencies and at `marks` (Hz), settling and
 /// overshoot of each axis, with the difference where there are two states.

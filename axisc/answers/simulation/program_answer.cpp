@@ -1,6 +1,7 @@
 #include "axisc/answers/simulation/program_answer.hpp"
 
 #include "analysis/motion/point.hpp"
+#include "axisc/answers/dynamics/driven_axis.hpp"
 #include "axisc/answers/labels.hpp"
 
 #include <array>
@@ -40,11 +41,6 @@ namespace {
 
 using motion::units_per_um;
 using namespace presentation;
-
-std::string_view name_of(machine::Slope slope) {
-  constexpr std::array<std::string_view, 4> names = {"STEP", "TRAPEZ", "SIN2", "HSC"};
-  return names.at(static_cast<std::size_t>(slope));
-}
 
 Quantity micrometres(double units, int decimals) {
   return fixed(units / units_per_um, Unit::micrometre, decimals);
@@ -140,7 +136,7 @@ void ProgramSummary::block(motion::BlockSummary const& summary) {
   auto const& motion = summary.motion;
   add(blocks_, {summary.label, summary.line}, summary,
       {motion.velocity_in * per_second, motion.velocity_peak * per_second, motion.velocity_out * per_second,
-       name_of(summary.slope), symbol_of(motion.limited_by), summary.corner_step_share});
+       slope_word(summary.slope), symbol_of(motion.limited_by), summary.corner_step_share});
 }
 
 void ProgramSummary::pass(motion::PassSummary const& summary) {
@@ -170,7 +166,7 @@ Document ProgramSummary::answer(FollowedProgram const& followed) && {
   auto const cycle_time = exact(path_.cycle_time.microseconds(), Unit::microsecond);
   auto const time = fixed(static_cast<double>(followed.cycles) * path_.cycle_time.seconds(), Unit::second, 3);
   auto const& dynamics = path_.dynamics;
-  auto const slope = name_of(dynamics.slope);
+  auto const slope = slope_word(dynamics.slope);
   Document answer{
       .title = Words(says::title, {{"blocks", followed.blocks},
                                    {"cycles", followed.cycles},

@@ -45,6 +45,8 @@ std::vector<GalleryPicture> const gallery = {
     {"unlike-corner", {"REPAIRED", "--kind", "corner", "--feed", "4000"}},
     {"unlike-circle", {"REPAIRED", "--kind", "circle", "--feed", "4000"}},
     {"unlike-response", {"REPAIRED"}},
+    {"square-dynamics", {"samples/motion/square", "--kind", "dynamics"}},
+    {"dynamics-x", {"samples/motion/dynamics", "--kind", "dynamics", "--axis", "X", "--distance", "10"}},
     {"rack-plant",
      {"samples/motion/rack", "--kind", "plant", "--plant", "samples/motion/rack/plant.json", "--move",
       "X:800:31800"}}};

@@ -227,13 +227,16 @@ TEST_CASE("the documentation shows what the program draws") {
            {"delay", {"--kind", "delay"}},
            {"corner", {"--kind", "corner", "--feed", "1000,2000,4000"}},
            {"circle", {"--kind", "circle", "--feed", "2000,4000"}},
+           {"dynamics", {"--kind", "dynamics", "--axis", "X"}},
            {"path", {"--kind", "path", "--program", square + "square.nc", "--tolerance", "0.1"}},
            {"plant", {"--kind", "plant", "--plant", rack + "plant.json", "--move", "X:800:31800"}},
            {"compare", {"--kind", "compare", "--recording", scope + "scope.csv", "--cycle-time", "1ms"}},
            {"change", {"--before", "old/machine.json", "--axis", "X"}}}) {
     std::vector<std::string> words{"plot",
-                                   name == "plant"     ? rack + "machine.json"
-                                   : name == "path"    ? square + "machine.json"
+                                   name == "plant"      ? rack + "machine.json"
+                                   : name == "path"     ? square + "machine.json"
+                                   : name == "dynamics" ? AXISC_SOURCE_DIR
+                                       "/samples/motion/dynamics/machine.json"
                                    : name == "compare" ? scope + "x.lis"
                                                        : mill,
                                    "-o", "-"};
@@ -561,7 +564,7 @@ TEST_CASE("a picture of more axes than anybody tells apart is refused") {
     folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [)" + axes + "]}");
   };
   write(101);
-  for (std::string const kind : {"response", "step", "delay"}) {
+  for (std::string const kind : {"response", "step", "delay", "dynamics"}) {
     auto const outcome = run_axisc({"plot", "m.json", "--kind", kind, "-o", "p.svg"}, there);
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Contains("a picture shows at most 100 axes, not 101; choose one with --axis"));
