@@ -75,6 +75,7 @@ class FromLists {
       channel.programs.push_back(
           {.name = machine_.programs[program].name, .mark = machine_.programs[program].mark});
     }
+    channel.dynamics = channel_values(group.dynamics);
     side_.channels.push_back(std::move(channel));
   }
 
@@ -182,8 +183,11 @@ std::unique_ptr<ComparedMachine> compared_machine(Workspace& workspace, std::str
     fill_from_image(*side, workspace.options_of(path).catalogue);
     return side;
   }
-  auto const result = check_machine(workspace, path, errors, side->sources, side->loaded);
-  if (result) side->image = image_of(*result->machine, path);
+  auto result = check_machine(workspace, path, errors, side->sources, side->loaded);
+  if (result) {
+    side->image = image_of(*result->machine, path);
+    side->machine = *std::move(result->machine);
+  }
   if (side->loaded->axes.empty()) return nullptr;
   FromLists(*side).fill();
   return side;

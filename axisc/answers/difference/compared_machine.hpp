@@ -1,6 +1,7 @@
 // One side of a comparison: a machine from its lists or from an image, in the terms that both have.
 #pragma once
 
+#include "axisc/answers/dynamics/channel_values.hpp"
 #include "axisc/checking/machine_input.hpp"
 #include "axisc/files/image_file.hpp"
 #include "validator/loading/loading.hpp"
@@ -36,6 +37,7 @@ struct ComparedChannel {
   std::vector<std::string> axes, spindles;
   std::vector<std::string> couplings;  ///< "X2 = X": slave and master
   std::vector<ComparedProgram> programs;
+  std::vector<ChannelValue> dynamics;  ///< of lists
 };
 
 struct ComparedGantry {
@@ -51,7 +53,8 @@ struct ComparedMachine {
   std::vector<ComparedChannel> channels;
   std::vector<ComparedGantry> gantries;
   design::CycleTime cycle_time;
-  bool cycle_time_known = true;    ///< false: 1 ms is assumed
+  bool cycle_time_known = true;             ///< false: 1 ms is assumed
+  std::optional<machine::Machine> machine;  ///< none after errors, and of an image
   std::optional<ImageFile> image;  ///< none after errors: what the lists do to the axes is not known then
 
   /// What the values look into.

@@ -95,6 +95,28 @@ Section channel_data(std::string key, ComparedChannel const& channel) {
        data("couplings", channel.couplings), data("programs", programs_of(channel))});
 }
 
+/// Calls take(was, is) for what differs in how the channel drives its path, where both sides tell it.
+template <class Take>
+void for_each_change(ChannelDifference const& channel, Take take) {
+  if (channel.before == nullptr || channel.after == nullptr) return;
+  auto const& was = channel.before->dynamics;
+  auto const& is = channel.after->dynamics;
+  for (std::size_t i = 0; i < std::min(was.size(), is.size()); ++i) {
+    if (was[i] != is[i]) take(was[i], is[i]);
+  }
+}
+
+Table dynamics_data(ChannelDifference const& channel) {
+  Table table{.key = "dynamics",
+              .columns = data_columns({"parameter", "name", "before", "after"}),
+              .rows = {},
+              .audience = Audience::programs};
+  for_each_change(channel, [&table](ChannelValue const& was, ChannelValue const& is) {
+    table.rows.push_back({std::string(is.number), std::string(is.name), was.value, is.value});
+  });
+  return table;
+}
+
 Section channel_section(ShownDifference const& shown, ChannelDifference const& channel) {
   ComparedChannel const none;
   auto const& was = channel.before != nullptr ? *channel.before : none;
@@ -109,6 +131,9 @@ Section channel_section(ShownDifference const& shown, ChannelDifference const& c
     add_difference(table, says::spindles, was.spindles, is.spindles);
     add_difference(table, says::couplings, was.couplings, is.couplings);
     add_difference(table, says::programs, marked_programs(was, {}), marked_programs(is, other));
+    for_each_change(channel, [&table](ChannelValue const& old_value, ChannelValue const& new_value) {
+      add_difference(table, as_given(std::string(new_value.name)), old_value.value, new_value.value);
+    });
   }
   Section section{
       .key = {}, .title = Words(labels::one_channel, {{"name", name}}), .blocks = {std::move(table)}};
@@ -116,6 +141,7 @@ Section channel_section(ShownDifference const& shown, ChannelDifference const& c
     section.blocks.push_back(side != nullptr ? Block(channel_data(key, *side)) : Facts{{data(key, {})}});
   }
   section.blocks.emplace_back(Facts{{data("programs_with_other_content", other)}});
+  section.blocks.emplace_back(dynamics_data(channel));
   return section;
 }
 

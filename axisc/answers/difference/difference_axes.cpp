@@ -187,6 +187,7 @@ Sections axes_data(ShownDifference const& shown) {
                 .identity = {data("name", is.name), data("name_before", was.name),
                              data("number_before", was.number), data("number_after", is.number),
                              data("list_before", was.list), data("list_after", is.list)}});
+    if (axis.motion) section.blocks.emplace_back(motion_data(*axis.motion));
     if (!axis.chain) continue;
     for (auto& block : effects_data(shown, *axis.chain)) section.blocks.push_back(std::move(block));
   }

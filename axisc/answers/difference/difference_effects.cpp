@@ -1,4 +1,5 @@
 #include "axisc/answers/difference/difference_parts.hpp"
+#include "axisc/answers/dynamics/driven_axis.hpp"
 #include "axisc/answers/labels.hpp"
 #include "image/image_readings.hpp"
 
@@ -13,6 +14,13 @@ constexpr Sentence settling{"settling time (0.01 %)", "Einschwingzeit (0,01 %)"}
 constexpr Sentence longer{"longer than {time}", "länger als {time}"};
 constexpr Sentence gain{"gain at {frequency}", "Verstärkung bei {frequency}"};
 constexpr Sentence corner{"deviation at a 90° corner, {feed}", "Abweichung an einer 90°-Ecke, {feed}"};
+constexpr Sentence slope{"slope", "Slope"};
+constexpr Sentence default_slope{"{slope} (default)", "{slope} (Standardwert)"};
+constexpr Sentence with_slope{"{what}, slope {slope}", "{what}, Slope {slope}"};
+constexpr Sentence at_feed{"{distance} at F{feed}", "{distance} mit F{feed}"};
+constexpr Sentence in_rapid{"{distance} in G00", "{distance} mit G00"};
+constexpr Sentence not_computed{"not computed", "nicht berechnet"};
+constexpr Sentence through_corner{"velocity through a 90° corner", "Geschwindigkeit durch eine 90°-Ecke"};
 
 }  // namespace axisc::says
 
@@ -60,12 +68,7 @@ std::pair<Side, Side> sides_of(ShownDifference const& shown, image::ChainDiffere
           {chain.after, after.cycle_time, shown.feed_mm_per_min}};
 }
 
-}  // namespace
-
-Table effects_table(ShownDifference const& shown, AxisDifference const& axis) {
-  auto table = side_table(shown, says::effect);
-  if (!axis.chain) return table;
-  auto const& chain = *axis.chain;
+void add_chain(Table& table, ShownDifference const& shown, image::ChainDifference const& chain) {
   auto const [before, after] = sides_of(shown, chain);
   add_difference(table, says::reading, image::readings_text(chain.reading_before),
                  image::readings_text(chain.reading_after));
@@ -82,7 +85,68 @@ Table effects_table(ShownDifference const& shown, AxisDifference const& axis) {
   }
   auto const feed = exact(shown.feed_mm_per_min, Unit::millimetre_per_minute);
   rows.push_back({Words(says::corner, {{"feed", feed}}), before.corner(), after.corner()});
+}
+
+/// Units of the axis: of a rotary one ° stands for mm.
+struct MotionUnits {
+  explicit MotionUnits(machine::AxisType type) : is_translatory(type == machine::AxisType::translatory) {}
+  bool is_translatory;
+  Unit length = is_translatory ? Unit::millimetre : Unit::degree;
+  Unit velocity = is_translatory ? Unit::millimetre_per_second : Unit::degree_per_second;
+};
+
+Words slope_of(AxisMotion const& motion) {
+  auto const word = as_given(std::string(slope_word(motion.slope)));
+  return motion.has_channel_list ? word : Words(says::default_slope, {{"slope", word}});
+}
+
+void add_motion(Table& table, MotionDifference const& motion, machine::AxisType type) {
+  AxisMotion const& before = motion.before;
+  AxisMotion const& after = motion.after;
+  MotionUnits const units(type);
+  WantedMove const move;
+  auto const distance = exact(move.distance_mm, units.length);
+  auto const seconds = [](double value) { return rounded(value, Unit::second, digits); };
+  bool const is_one_slope = before.slope == after.slope && before.has_channel_list == after.has_channel_list;
+  // Where both sides have the same slope, each row names it.
+  auto const label = [&](Words what) {
+    return is_one_slope ? Words(says::with_slope, {{"what", what}, {"slope", slope_of(after)}}) : what;
+  };
+  add_difference(table, says::slope, slope_of(before), slope_of(after));
+  add_difference(table,
+                 label(Words(says::at_feed, {{"distance", distance}, {"feed", exact(move.feed_mm_per_min)}})),
+                 seconds(before.at_feed_s), seconds(after.at_feed_s));
+  add_difference(table, label(Words(says::in_rapid, {{"distance", distance}})), seconds(before.in_rapid_s),
+                 seconds(after.in_rapid_s));
+  add_difference(table, says::through_corner, rounded(before.corner_velocity, units.velocity, digits),
+                 rounded(after.corner_velocity, units.velocity, digits));
+  if (before.uncomputed.empty() && after.uncomputed.empty()) return;
+  table.rows.push_back({Words(says::not_computed), Names(before.uncomputed), Names(after.uncomputed)});
+}
+
+}  // namespace
+
+Table effects_table(ShownDifference const& shown, AxisDifference const& axis) {
+  auto table = side_table(shown, says::effect);
+  if (axis.chain) add_chain(table, shown, *axis.chain);
+  if (axis.motion) add_motion(table, *axis.motion, axis.after->type);
   return table;
+}
+
+Section motion_data(MotionDifference const& motion) {
+  WantedMove const move;
+  auto const side = [](std::string key, AxisMotion const& one) {
+    return data_section(
+        std::move(key),
+        {data("slope", slope_word(one.slope)), data("channel_list", one.has_channel_list),
+         data("at_feed_s", one.at_feed_s), data("in_rapid_s", one.in_rapid_s),
+         data("corner_velocity_mm_s", one.corner_velocity), data("not_computed", Names(one.uncomputed))});
+  };
+  return {.key = "motion",
+          .title = {},
+          .blocks = {
+              Facts{{data("distance_mm", move.distance_mm), data("feed_mm_per_min", move.feed_mm_per_min)}},
+              side("before", motion.before), side("after", motion.after)}};
 }
 
 std::vector<Block> effects_data(ShownDifference const& shown, image::ChainDifference const& chain) {

@@ -24,11 +24,14 @@ void add_difference(presentation::Table& table, presentation::Words what, presen
 /// What programs read of them.
 [[nodiscard]] presentation::Table parameter_data(AxisDifference const& axis);
 
-/// What the change of a chain does, for people; empty without a change.
+/// What the change of a chain, and of how the axis is driven, does, for people; empty without a change.
 [[nodiscard]] presentation::Table effects_table(ShownDifference const& shown, AxisDifference const& axis);
 /// What programs read of it.
 [[nodiscard]] std::vector<presentation::Block> effects_data(ShownDifference const& shown,
                                                             image::ChainDifference const& chain);
+
+/// How the axis is driven on either side, for programs.
+[[nodiscard]] presentation::Section motion_data(MotionDifference const& motion);
 
 /// Sections of axes, for people. Those that differ alike stand together, after what a line of the default
 /// list changes for several.

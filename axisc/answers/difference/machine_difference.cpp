@@ -1,5 +1,7 @@
 #include "axisc/answers/difference/machine_difference.hpp"
 
+#include "axisc/answers/dynamics/driven_axis.hpp"
+
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -37,6 +39,18 @@ bool same_programs(ComparedChannel const& a, ComparedChannel const& b) {
                     [](ComparedProgram const& was, ComparedProgram const& is) {
                       return was.name == is.name && was.mark == is.mark;
                     });
+}
+
+std::optional<AxisMotion> motion_of(ComparedMachine const& side, ComparedAxis const& axis) {
+  auto const driven = side.machine ? driven_axis(*side.machine, axis.index) : std::nullopt;
+  if (!driven) return std::nullopt;
+  WantedMove const move;
+  return AxisMotion{.slope = driven->slope(),
+                    .has_channel_list = driven->has_channel_list(),
+                    .at_feed_s = driven->feed(move).seconds,
+                    .in_rapid_s = driven->rapid(move.distance_mm).seconds,
+                    .corner_velocity = driven->corner_velocity(),
+                    .uncomputed = driven->uncomputed()};
 }
 
 class Comparison {
@@ -101,6 +115,9 @@ class Comparison {
       for (std::size_t i = 0; i < compared_.size(); ++i) compared_[i].chain = std::move(chains[i]);
     }
     for (auto& axis : compared_) {
+      auto const was = motion_of(before, *axis.before);
+      auto const is = motion_of(after, *axis.after);
+      if (was && is && *was != *is) axis.motion = MotionDifference{.before = *was, .after = *is};
       if (!axis.empty() || !axis.parameters.empty()) difference_.axes.push_back(std::move(axis));
     }
     compared_.clear();
@@ -156,8 +173,8 @@ class Comparison {
   [[nodiscard]] bool same_channel(ComparedChannel const& was, ComparedChannel const& is,
                                   NewNames const& names) const {
     if (was.name != is.name || names.of(was.axes) != is.axes) return false;
-    return !knows_all() ||
-           (names.of(was.spindles) == is.spindles && was.couplings == is.couplings && same_programs(was, is));
+    return !knows_all() || (names.of(was.spindles) == is.spindles && was.couplings == is.couplings &&
+                            same_programs(was, is) && was.dynamics == is.dynamics);
   }
 
   void add_gantries(NewNames const& names) {
@@ -198,7 +215,7 @@ std::vector<std::string> programs_with_other_content(ChannelDifference const& ch
 bool AxisDifference::empty() const {
   bool const same_parameters = std::all_of(parameters.begin(), parameters.end(),
                                            [](ParameterChange const& change) { return change.equal; });
-  return same_parameters && !renamed && !other_type && !other_drive && !chain;
+  return same_parameters && !renamed && !other_type && !other_drive && !chain && !motion;
 }
 
 bool MachineDifference::empty() const {

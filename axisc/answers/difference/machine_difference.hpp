@@ -14,6 +14,20 @@
 
 namespace axisc {
 
+/// How an axis is driven, with WantedMove: seconds, and mm/s or °/s.
+struct AxisMotion {
+  machine::Slope slope = machine::Slope::step;
+  bool has_channel_list = false;  ///< false: the control's defaults count
+  double at_feed_s = 0, in_rapid_s = 0, corner_velocity = 0;
+  std::vector<std::string> uncomputed = {};  ///< parameters that these figures leave out: "P-AXIS-00202"
+
+  friend bool operator==(AxisMotion const&, AxisMotion const&) = default;
+};
+
+struct MotionDifference {
+  AxisMotion before, after;
+};
+
 struct AxisDifference {
   ComparedAxis const* before = nullptr;
   ComparedAxis const* after = nullptr;
@@ -21,11 +35,13 @@ struct AxisDifference {
   bool other_type = false, other_drive = false;  ///< of a machine file; the lists' are parameters
   std::vector<ParameterChange> parameters;       ///< without those that mean the same, unless wanted
   std::optional<image::ChainDifference> chain;   ///< where the setpoints are filtered otherwise
+  std::optional<MotionDifference> motion;        ///< where it is driven otherwise; an image does not tell
 
   [[nodiscard]] bool empty() const;
 };
 
-/// A channel whose axes, spindles, couplings or programs differ; null where it exists on one side only.
+/// A channel whose axes, spindles, couplings, programs or dynamics differ; null where it exists on one side
+/// only.
 struct ChannelDifference {
   ComparedChannel const* before = nullptr;
   ComparedChannel const* after = nullptr;
