@@ -55,6 +55,16 @@ class AxisAlone {
   PlotSubject plots_;
 };
 
+/// From rest to rest, beside the earlier state where that is a machine. Nothing of an axis that no channel
+/// moves.
+void add_dynamics(std::vector<Block>& blocks, PlotSubject const& plots, std::size_t axis) {
+  if (!driven_axis(*plots.now.machine, axis)) return;
+  PlotSubject one = plots;
+  one.axes = {axis};
+  if (one.before && one.before->machine == nullptr) one.before.reset();
+  blocks.emplace_back(Picture{dynamics_figure(one, {})});
+}
+
 }  // namespace
 
 ReportBlocks axes_section(ReportSubject const& subject) {
@@ -80,6 +90,7 @@ ReportBlocks axes_section(ReportSubject const& subject) {
     } else {
       blocks.emplace_back(Paragraph{says::no_axis_filter});
     }
+    add_dynamics(blocks, *subject.plots, axis);
     if (has_filter || !compiled.interface_filters.empty() || compiled.control) {
       // What `inspect` says of the axis, without the head of the image.
       auto const figures = alone.figures();

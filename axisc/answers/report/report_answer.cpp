@@ -91,7 +91,7 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
     image.emplace(image_of(machine->machine, input));
     host.emplace(start_runtime(input, *image));
     subject.machine = &machine->machine;
-    subject.plots.emplace(PlotSubject{.now = {.file = *image, .host = *host},
+    subject.plots.emplace(PlotSubject{.now = {.file = *image, .host = *host, .machine = subject.machine},
                                       .before = std::nullopt,
                                       .axes = chosen_axes(image->contents, std::nullopt),
                                       .language = question.language});
@@ -104,7 +104,10 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
     subject.difference = &*difference;
     if (subject.plots && old.host) {
       subject.plots->before.emplace(
-          PlottedImage{.file = *old.before->image, .host = *old.host, .steps = &*old.steps});
+          PlottedImage{.file = *old.before->image,
+                       .host = *old.host,
+                       .steps = &*old.steps,
+                       .machine = old.before->machine ? &*old.before->machine : nullptr});
     }
   }
   return ReportAnswer{.page = report_page(subject),

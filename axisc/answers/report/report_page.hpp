@@ -26,7 +26,7 @@ struct ReportSubject {
   std::vector<ReportedFinding> findings;
   FindingCounts counts;
   machine::Machine const* machine = nullptr;  ///< null after errors, and of an image
-  std::optional<PlotSubject> plots;           ///< none after errors
+  std::optional<PlotSubject> plots;           ///< none after errors; `machine` of its state is set
   ShownDifference const* difference = nullptr;
   ContourRequest contour;
   Language language = Language::english;
