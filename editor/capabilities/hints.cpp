@@ -1,6 +1,7 @@
 #include "editor/capabilities/hints.hpp"
 
 #include "design/filter_kinds.hpp"
+#include "editor/meaning/dynamics_notes.hpp"
 #include "editor/reading/open_machines.hpp"
 #include "editor/reading/places.hpp"
 #include "schema/value.hpp"
@@ -20,8 +21,8 @@ namespace axisc::editor {
 namespace {
 
 /// "= 42.5 Hz"; empty if the unit is unknown.
-std::string quantity(OpenList const& list, grammar::Assignment const& line, Language language) {
-  auto const found = list.find(list.slice(line.name));
+std::string quantity(OpenList const& list, schema::NameLookup const& found, grammar::Assignment const& line,
+                     Language language) {
   if (found.row == nullptr || !found.row->symbols.empty()) return {};
   auto const number = schema::read_real(list.slice(line.value));
   if (number.status != schema::NumberStatus::good) return {};
@@ -29,6 +30,12 @@ std::string quantity(OpenList const& list, grammar::Assignment const& line, Lang
   return unit.empty() || list.is_unit_open(*found.row)
              ? ""
              : "= " + validator::physical(number.number, unit).in(language);
+}
+
+/// "= 50 ms, 40 m/s³"
+std::string with_note(std::string quantity, std::string const& note) {
+  if (note.empty()) return quantity;
+  return quantity.empty() ? note : std::move(quantity) + ", " + note;
 }
 
 /// Values that the filter's type uses and no list sets: "order 2, guete 1".
@@ -65,8 +72,11 @@ Json hints(OpenMachines& machines, Json const& params) {
     if (label.empty() || at < first || last < at) return;
     found.push_back({{"position", position_json(at)}, {"label", std::move(label)}, {"paddingLeft", true}});
   };
+  DynamicsNotes notes(list, machines.language());
   for (auto const& line : list.tree().assignments) {
-    add(line.value.end, quantity(list, line, machines.language()));
+    auto const found_name = list.find(list.slice(line.name));
+    add(line.value.end,
+        with_note(quantity(list, found_name, line, machines.language()), notes.of(line, found_name)));
   }
   if (list.axis() == nullptr) return found;
   auto const& values = list.axis()->merged.values;

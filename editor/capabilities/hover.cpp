@@ -2,6 +2,7 @@
 
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "diagnostics/location.hpp"
+#include "editor/meaning/dynamics_notes.hpp"
 #include "editor/meaning/filter_figures.hpp"
 #include "editor/meaning/parameter_number.hpp"
 #include "editor/meaning/program_help.hpp"
@@ -130,6 +131,7 @@ Json hover(OpenMachines& machines, Json const& params) {
     auto text = write(parameter_answer(list.catalogue(), *found.row), format, {.language = language});
     if (found.status == schema::NameLookup::Status::found) {
       text += effective_text(list, found.slot, line->line, language);
+      text += DynamicsNotes(list, language).sentence_of(*line, found);
       text += filter_figures(list, name, markdown, language);
     }
     return answer(std::move(text), line->name.begin, line->name.end);
@@ -138,7 +140,8 @@ Json hover(OpenMachines& machines, Json const& params) {
   auto const value = value_text(list, *found.row, list.text().utf8(line->value), language);
   auto const what = schema::description_of(*found.row).what.in(language);
   return answer("`" + std::string(name) + "` " + value + (what.empty() ? "" : "\n\n") + std::string(what) +
-                    "\n" + filter_figures(list, name, markdown, language),
+                    "\n" + DynamicsNotes(list, language).sentence_of(*line, found) +
+                    filter_figures(list, name, markdown, language),
                 line->value.begin, line->value.end);
 }
 

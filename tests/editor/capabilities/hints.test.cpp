@@ -62,3 +62,18 @@ TEST_CASE("hints outside the range are not sent") {
                    "filter[0].fg_f0 1\nfilter[1].fg_f0 2\nfilter[2].fg_f0 3\n", {{"range", range}}));
   CHECK(hints == std::vector<std::string>{"1:17 = 2 Hz"});
 }
+
+TEST_CASE("hints show the jerk of a ramp time, and the value that counts instead") {
+  std::string const gear = "getriebe[0].";
+  auto const hints =
+      labels(asked("textDocument/inlayHint", "/x.lis",
+                   gear + "dynamik.a_max 1500\n" + gear + "slope_profil.a_beschl 2000\n" + gear +
+                       "slope_profil.tr_beschl_zu 50000\n" + gear + "slope_profil.tr_beschl_ab 5000\n" +
+                       gear + "lslope_profil.d_stufe_1 0\ngetriebe[1].slope_profil.tr_beschl_zu 50000\n",
+                   {{"range", whole_range}}));
+  // 1500 mm/s² in 50 ms are 30 m/s³. The least ramp time is 10 ms, the acceleration of STEP 1000 mm/s².
+  CHECK(hints == std::vector<std::string>{
+                     "0:30 = 1500 mm/s²", "1:38 = 2000 mm/s², 1500 mm/s² counts (P-AXIS-00008)",
+                     "2:43 = 50 ms, 30 m/s³", "3:42 = 5 ms, 10 ms counts (P-AXIS-00201), 150 m/s³",
+                     "4:37 = 0 mm/s², as for accelerating: 1000 mm/s²", "5:43 = 50 ms"});
+}

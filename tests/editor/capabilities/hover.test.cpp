@@ -57,6 +57,15 @@ TEST_CASE("hovering over a name says which value is in effect and which list it 
   CHECK(hover_text(list, text, 2, 3).find("In effect") == std::string::npos);
 }
 
+TEST_CASE("hovering over what drives an axis says which value counts, and the jerk") {
+  std::string const list =
+      "getriebe[0].slope_profil.a_beschl 2000\ngetriebe[0].slope_profil.tr_beschl_zu 5000\n";
+  // Defaults: at most 1000 mm/s², at least 10 ms; 1000 mm/s² in 10 ms are 100 m/s³.
+  contains(hover_text("/x.lis", list, 0, 36), "P-AXIS-00008 limits it: 1000 mm/s² counts.");
+  contains(hover_text("/x.lis", list, 1, 5), "P-AXIS-00201 limits it: 10 ms counts.");
+  contains(hover_text("/x.lis", list, 1, 5), "The jerk a/tr of this ramp is 100 m/s³.");
+}
+
 TEST_CASE("clients without Markdown get plain text") {
   auto const results =
       Conversation("utf-16", {{"textDocument", {{"hover", {{"contentFormat", {"plaintext"}}}}}}})
