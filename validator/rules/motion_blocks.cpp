@@ -107,6 +107,20 @@ bool MotionBlock::names_slope() const {
   return false;
 }
 
+bool MotionBlock::weighs_all() const {
+  for (std::size_t i = 0; i < words_.size(); ++i) {
+    if (text(i) == "#SLOPE" && next(i) != "DEFAULT") return true;
+  }
+  return false;
+}
+
+bool MotionBlock::takes_default_slope() const {
+  for (std::size_t i = 0; i < words_.size(); ++i) {
+    if (text(i) == "#SLOPE" && next(i) == "DEFAULT") return true;
+  }
+  return false;
+}
+
 std::optional<machine::Slope> MotionBlock::slope(machine::Slope standard) const {
   if (!names_slope()) return std::nullopt;
   for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -115,6 +129,17 @@ std::optional<machine::Slope> MotionBlock::slope(machine::Slope standard) const 
     if (auto const slope = slope_named(text(i))) return slope;
   }
   return std::nullopt;
+}
+
+bool programs_choose_slope(GroupContext const& context) {
+  auto const chooses = [&](std::size_t index) {
+    LoadedProgram const& program = context.whole.machine.programs[index];
+    std::string_view const text = context.whole.sources[program.source].bytes();
+    return std::any_of(
+        program.tree.blocks.begin(), program.tree.blocks.end(),
+        [text](grammar::WantedBlock const& block) { return MotionBlock(block, text).names_slope(); });
+  };
+  return std::any_of(context.group.programs.begin(), context.group.programs.end(), chooses);
 }
 
 }  // namespace axisc::validator

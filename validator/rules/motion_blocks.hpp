@@ -40,6 +40,10 @@ class MotionBlock {
   /// The slope that the block puts in force: by type, by number, or `standard` with DEFAULT.
   [[nodiscard]] std::optional<machine::Slope> slope(machine::Slope standard) const;
   [[nodiscard]] bool names_slope() const;
+  /// `#SLOPE [..]`, after which weights are of all accelerations and ramp times, and `#SLOPE DEFAULT`, after
+  /// which P-CHAN-00001 and 00073 say of which.
+  [[nodiscard]] bool weighs_all() const;
+  [[nodiscard]] bool takes_default_slope() const;
 
  private:
   [[nodiscard]] std::string_view text(std::size_t index) const;
@@ -48,5 +52,8 @@ class MotionBlock {
   std::vector<grammar::Word> const& words_;
   std::string_view text_;
 };
+
+/// One of the programs that the channel runs has a word that chooses the slope.
+[[nodiscard]] bool programs_choose_slope(GroupContext const& context);
 
 }  // namespace axisc::validator

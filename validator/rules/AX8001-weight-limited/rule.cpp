@@ -33,24 +33,32 @@ namespace {
 using Of = schema::Weighting::Of;
 using In = schema::Weighting::In;
 
-/// A value that a weight changes, with the control's message where it is limited.
+/// A value that a weight changes, with the control's messages where it is limited.
 struct Weighed {
   std::string_view parameter;
   std::string_view control;
+  std::uint8_t part = 0;               ///< the number in P-CHAN-00001, or 00073, that means this value alone
+  std::string_view instead_of_0 = {};  ///< the parameter that counts where this one is 0
 };
 
-constexpr std::array step_accelerations{Weighed{"getriebe[].lslope_profil.a_stufe_1", ""},
-                                        Weighed{"getriebe[].lslope_profil.a_stufe_2", "120029"}};
-constexpr std::array accelerations{Weighed{"getriebe[].slope_profil.a_beschl", "120031"},
-                                   Weighed{"getriebe[].slope_profil.a_brems", "120033"}};
-constexpr std::array rapid_step_accelerations{Weighed{"getriebe[].lslope_profil.a_grenz_stufe_1", "120627"},
-                                              Weighed{"getriebe[].lslope_profil.a_grenz_stufe_2", "120627"}};
-constexpr std::array rapid_accelerations{Weighed{"getriebe[].slope_profil.a_grenz", "120627"}};
-constexpr std::array ramps{Weighed{"getriebe[].slope_profil.tr_beschl_zu", "120035"},
-                           Weighed{"getriebe[].slope_profil.tr_beschl_ab", "120036"},
-                           Weighed{"getriebe[].slope_profil.tr_brems_zu", "120037"},
-                           Weighed{"getriebe[].slope_profil.tr_brems_ab", "120038"}};
-constexpr std::array rapid_ramps{Weighed{"getriebe[].slope_profil.tr_grenz", "120629"}};
+constexpr std::string_view first_stage = "getriebe[].lslope_profil.a_stufe_1";
+constexpr std::string_view second_stage = "getriebe[].lslope_profil.a_stufe_2";
+constexpr std::array step_accelerations{
+    Weighed{first_stage, "50130", 1}, Weighed{second_stage, "50130/120029", 1},
+    Weighed{"getriebe[].lslope_profil.d_stufe_1", "50130", 2, first_stage},
+    Weighed{"getriebe[].lslope_profil.d_stufe_2", "50130", 2, second_stage}};
+constexpr std::array accelerations{Weighed{"getriebe[].slope_profil.a_beschl", "50130/120031", 1},
+                                   Weighed{"getriebe[].slope_profil.a_brems", "50130/120033", 2}};
+constexpr std::string_view rapid_acceleration = "50130/120627";
+constexpr std::array rapid_step_accelerations{
+    Weighed{"getriebe[].lslope_profil.a_grenz_stufe_1", rapid_acceleration},
+    Weighed{"getriebe[].lslope_profil.a_grenz_stufe_2", rapid_acceleration}};
+constexpr std::array rapid_accelerations{Weighed{"getriebe[].slope_profil.a_grenz", rapid_acceleration}};
+constexpr std::array ramps{Weighed{"getriebe[].slope_profil.tr_beschl_zu", "50130/120035", 1},
+                           Weighed{"getriebe[].slope_profil.tr_beschl_ab", "50130/120036", 2},
+                           Weighed{"getriebe[].slope_profil.tr_brems_zu", "50130/120037", 3},
+                           Weighed{"getriebe[].slope_profil.tr_brems_ab", "50130/120038", 4}};
+constexpr std::array rapid_ramps{Weighed{"getriebe[].slope_profil.tr_grenz", "50130/120629"}};
 
 std::span<Weighed const> weighed_by(schema::Weighting const& weighting, machine::Slope slope) {
   bool const is_step = slope == machine::Slope::step;
@@ -70,10 +78,14 @@ class WeightCheck {
   WeightCheck(ProgramContext const& context, Report& report) : context_(context), report_(report) {}
 
   void run() {
-    machine::Slope slope = context_.group->dynamics.slope;
+    auto const& channel = context_.group->dynamics;
+    machine::Slope slope = channel.slope;
+    take_parts_of_channel();
     for (grammar::WantedBlock const& wanted : context_.program.tree.blocks) {
       MotionBlock const block(wanted, context_.text);
-      slope = block.slope(context_.group->dynamics.slope).value_or(slope);
+      slope = block.slope(channel.slope).value_or(slope);
+      if (block.weighs_all()) weighed_acceleration_ = weighed_ramp_ = 0;
+      if (block.takes_default_slope()) take_parts_of_channel();
       for (BlockFunction const& function : block.functions()) {
         if (function.word == nullptr || function.word->effect != schema::MotionEffect::weigh) continue;
         auto const weighed = weighed_by(function.word->weighting, slope);
@@ -89,6 +101,24 @@ class WeightCheck {
   }
 
  private:
+  void take_parts_of_channel() {
+    weighed_acceleration_ = context_.group->dynamics.weighted_acceleration;
+    weighed_ramp_ = context_.group->dynamics.weighted_ramp;
+  }
+
+  /// What G130 to G133 weigh of several values: all, or the one that P-CHAN-00001 or 00073 names.
+  [[nodiscard]] bool is_weighed(BlockFunction const& function, Weighed const& weighed) const {
+    bool const is_time = function.word->weighting.of == Of::ramp_times;
+    std::uint8_t const part = is_time ? weighed_ramp_ : weighed_acceleration_;
+    return part == 0 || weighed.part == 0 || weighed.part == part;
+  }
+
+  [[nodiscard]] static EffectiveValue const& value_of(LoadedAxis const& axis, Weighed const& weighed) {
+    EffectiveValue const& value = axis.merged.values.at(weighed.parameter);
+    bool const is_other = !weighed.instead_of_0.empty() && !value.unusable && value.value.number == 0;
+    return is_other ? axis.merged.values.at(weighed.instead_of_0) : value;
+  }
+
   /// Of one axis, or of all without a name: the first that is limited. Each weight is reported once.
   void check(BlockFunction const& function, Span span, double percent, std::span<Weighed const> weighed,
              std::string_view name) {
@@ -96,7 +126,7 @@ class WeightCheck {
       LoadedAxis const& axis = context_.whole.machine.axes[index];
       if (!name.empty() && axis.name != name) continue;
       for (Weighed const& each : weighed) {
-        if (!is_limited(axis, function, each, percent)) continue;
+        if (!is_weighed(function, each) || !is_limited(axis, function, each, percent)) continue;
         bool const is_new = reported_.insert({function.number, std::string(name), percent}).second;
         if (is_new) report(axis, function, span, each, percent);
         return;
@@ -116,7 +146,7 @@ class WeightCheck {
 
   [[nodiscard]] static bool is_limited(LoadedAxis const& axis, BlockFunction const& function,
                                        Weighed const& weighed, double percent) {
-    EffectiveValue const& value = axis.merged.values.at(weighed.parameter);
+    EffectiveValue const& value = value_of(axis, weighed);
     if (value.unusable) return false;
     double const asked = value.value.number * percent / 100;
     bool const is_time = function.word->weighting.of == Of::ramp_times;
@@ -127,7 +157,7 @@ class WeightCheck {
 
   void report(LoadedAxis const& axis, BlockFunction const& function, Span span, Weighed const& weighed,
               double percent) {
-    EffectiveValue const& value = axis.merged.values.at(weighed.parameter);
+    EffectiveValue const& value = value_of(axis, weighed);
     std::string_view const unit = unit_of(*value.row, axis.type);
     report_.axis = axis.name;
     Finding& finding =
@@ -148,6 +178,7 @@ class WeightCheck {
 
   ProgramContext const& context_;
   Report& report_;
+  std::uint8_t weighed_acceleration_ = 0, weighed_ramp_ = 0;  ///< as P-CHAN-00001 and 00073 have them
   std::set<std::tuple<int, std::string, double>> reported_;
 };
 
@@ -161,7 +192,7 @@ extern constinit Rule const ax8001{
     .code = Code{8001},
     .name = "weight-limited",
     .severity = Severity::warning,
-    .control = "120029/120031/120033/120035/120036/120037/120038/120627/120629",
+    .control = "50130/120029/120031/120033/120035/120036/120037/120038/120627/120629",
     .parameters =
         "getriebe[].dynamik.a_w_max getriebe[].dynamik.a_max getriebe[].dynamik.tr_w_min "
         "getriebe[].dynamik.tr_min getriebe[].slope_profil.* getriebe[].lslope_profil.*",

@@ -63,17 +63,6 @@ void report_unused(LoadedAxis const& axis, std::span<std::string_view const> nam
   }
 }
 
-bool programs_choose_slope(GroupContext const& context) {
-  auto const chooses = [&](std::size_t index) {
-    LoadedProgram const& program = context.whole.machine.programs[index];
-    std::string_view const text = context.whole.sources[program.source].bytes();
-    return std::any_of(
-        program.tree.blocks.begin(), program.tree.blocks.end(),
-        [text](grammar::WantedBlock const& block) { return MotionBlock(block, text).names_slope(); });
-  };
-  return std::any_of(context.group.programs.begin(), context.group.programs.end(), chooses);
-}
-
 /// ACC_FACT needs P-AXIS-00013, whatever the slope is.
 bool programs_use_factor(GroupContext const& context) {
   return std::any_of(context.group.programs.begin(), context.group.programs.end(), [&](std::size_t index) {
