@@ -93,6 +93,13 @@ constexpr JsonShape axis_shape{.kind = Kind::object, .title = "Axis", .keys = ax
 constexpr JsonShape axes_shape{
     .kind = Kind::list, .items = &axis_shape, .fewest = 1, .sentence = says::no_axes};
 
+/// As large as the buffer of FCT_LOOK_AHEAD_CUSTOM may be.
+constexpr JsonShape look_ahead_shape{.kind = Kind::whole_number, .lowest = 10, .highest = 10000};
+
+void store_look_ahead(JsonDocument const& /*document*/, JsonValue const& value, MachineFileGroup& group) {
+  group.look_ahead_blocks = static_cast<std::uint32_t>(value.number);
+}
+
 constexpr std::array group_keys = {
     JsonKey{"name", &name_shape, optional, "Name of the group, for messages.", into<&MachineFileGroup::name>},
     JsonKey{"axes", &json_texts, required, "Names of the axes that move together.",
@@ -101,7 +108,10 @@ constexpr std::array group_keys = {
             into<&MachineFileGroup::programs>},
     JsonKey{"channel_list", &json_text, optional,
             "The channel's parameter list: how the control plans the path of the group.",
-            into<&MachineFileGroup::channel_list>}};
+            into<&MachineFileGroup::channel_list>},
+    JsonKey{"look_ahead_blocks", &look_ahead_shape, optional,
+            "Blocks that the control looks ahead, where the channel list does not say it.",
+            by<store_look_ahead>}};
 constexpr JsonShape group_shape{.kind = Kind::object, .title = "Group of axes", .keys = group_keys};
 constexpr JsonShape groups_shape{.kind = Kind::list, .items = &group_shape};
 
@@ -120,6 +130,9 @@ constexpr std::array machine_keys = {
             into<&MachineFile::cycle_time>},
     JsonKey{"default_list", &json_text, optional,
             "List with the values that the lists of the axes leave out.", into<&MachineFile::default_list>},
+    JsonKey{"default_channel_list", &json_text, optional,
+            "Parameter list with the values that the channel lists leave out.",
+            into<&MachineFile::default_channel_list>},
     JsonKey{"axes", &axes_shape, required, "All axes of the machine.", into<&MachineFile::axes>},
     JsonKey{"groups", &groups_shape, optional, "Axes that move together.", into<&MachineFile::groups>},
     JsonKey{"gantries", &gantries_shape, optional, "Axes that follow another one.",
@@ -147,6 +160,7 @@ std::string joined(std::vector<std::string_view> const& words) {
 void use_slashes(MachineFile& machine) {
   auto const use = [](LocatedText& name) { std::replace(name.text.begin(), name.text.end(), '\\', '/'); };
   if (machine.default_list) use(*machine.default_list);
+  if (machine.default_channel_list) use(*machine.default_channel_list);
   for (MachineFileAxis& axis : machine.axes) use(axis.list);
   for (LocatedText& program : machine.programs) use(program);
   for (MachineFileGroup& group : machine.groups) {

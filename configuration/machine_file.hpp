@@ -6,6 +6,7 @@
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <string>
@@ -26,6 +27,7 @@ struct MachineFileGroup {
   std::vector<LocatedText> axes;
   std::vector<LocatedText> programs;  ///< checked against this group alone
   std::optional<LocatedText> channel_list;
+  std::optional<std::uint32_t> look_ahead_blocks;  ///< as start-up lists say it (P-STUP-00071)
 };
 
 struct MachineFileGantry {
@@ -37,6 +39,7 @@ struct MachineFile {
   std::optional<LocatedText> machine;
   std::optional<design::CycleTime> cycle_time;
   std::optional<LocatedText> default_list;
+  std::optional<LocatedText> default_channel_list;
   std::vector<MachineFileAxis> axes;
   std::vector<MachineFileGroup> groups;
   std::vector<MachineFileGantry> gantries;

@@ -202,6 +202,7 @@ MachineOutline read_machine_outline(std::string_view json) {
   if (!document.is_object() || !document.contains("axes")) return outline;
   outline.is_machine = true;
   add_list(outline.lists, document, "default_list");
+  add_list(outline.lists, document, "default_channel_list");
   for (auto const& axis : document["axes"]) add_list(outline.lists, axis, "list");
   add_programs(outline.programs, document);
   if (document.contains("groups")) {

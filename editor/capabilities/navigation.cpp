@@ -41,8 +41,10 @@ std::vector<NamedFile> files_of_machine_file(Buffers& files, SourceSet const& so
     if (files.is_file(path)) named.push_back({.place = name.place, .path = std::move(path)});
   };
   if (machine.default_list) add(*machine.default_list);
+  if (machine.default_channel_list) add(*machine.default_channel_list);
   for (auto const& axis : machine.axes) add(axis.list);
   for (auto const& group : machine.groups) {
+    if (group.channel_list) add(*group.channel_list);
     for (auto const& program : group.programs) add(program);
   }
   for (auto const& program : machine.programs) add(program);

@@ -193,17 +193,13 @@ void Loader::add_default_group() {
   for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) {
     if (machine_.axes[axis].type != machine::AxisType::spindle) group.axes.push_back(axis);
   }
-  read_dynamics(group, std::nullopt);
+  read_dynamics(group, {});
   if (!group.axes.empty()) machine_.groups.push_back(std::move(group));
 }
 
-void Loader::read_dynamics(LoadedGroup& group, std::optional<std::uint32_t> number) {
+void Loader::read_dynamics(LoadedGroup& group, configuration::ListedLookAhead look_ahead) {
   configuration::ListedDynamics listed;
-  if (number && !machine_.start_up->is_project) {
-    SourceId const start_up = machine_.start_up->sources.front();
-    configuration::read_look_ahead(configuration::listed_values(sources_[start_up], start_up), *number,
-                                   listed.look_ahead);
-  }
+  listed.look_ahead = std::move(look_ahead);
   for (std::optional<SourceId> const source : {default_channel_list_, group.channel_list}) {
     if (!source) continue;
     configuration::read_channel_dynamics(configuration::listed_values(sources_[*source], *source), listed);

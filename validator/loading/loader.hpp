@@ -36,7 +36,8 @@ class Loader {
   void load_single(SourceId source);
   void add_default_group();
   /// What the lists of a channel say about its motion; `number` is its index in the start-up list.
-  void read_dynamics(LoadedGroup& group, std::optional<std::uint32_t> number);
+  /// `look_ahead` is what is said outside of channel lists.
+  void read_dynamics(LoadedGroup& group, configuration::ListedLookAhead look_ahead);
   void add_other_list(SourceId source, configuration::ListKind kind, std::string name);
 
   // machine_file_loading.cpp

@@ -46,6 +46,7 @@ void Loader::load_machine_file(SourceId source) {
                                                                       : machine::PositionController::cnc;
     }
   }
+  if (file.default_channel_list) default_channel_list_ = channel_list_named(*file.default_channel_list);
   for (configuration::MachineFileGroup const& group : file.groups) add_group(group);
   for (configuration::MachineFileGantry const& gantry : file.gantries) add_claims(gantry);
   for (configuration::LocatedText const& name : file.programs) {
@@ -73,7 +74,12 @@ void Loader::add_group(configuration::MachineFileGroup const& named) {
     if (program && !runs_in(group, *program)) group.programs.push_back(*program);
   }
   if (named.channel_list) group.channel_list = channel_list_named(*named.channel_list);
-  read_dynamics(group, std::nullopt);
+  configuration::ListedLookAhead look_ahead;
+  if (named.look_ahead_blocks) {
+    look_ahead.function.emplace().text = "FCT_LOOK_AHEAD_CUSTOM";
+    look_ahead.blocks = named.look_ahead_blocks;
+  }
+  read_dynamics(group, std::move(look_ahead));
   std::sort(group.axes.begin(), group.axes.end());
   group.axes.erase(std::unique(group.axes.begin(), group.axes.end()), group.axes.end());
 }

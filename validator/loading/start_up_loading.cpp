@@ -2,6 +2,7 @@
 #include "diagnostics/ascii.hpp"
 #include "system/path.hpp"
 #include "validator/loading/loader.hpp"
+#include "validator/loading/start_up_channels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -149,7 +150,7 @@ void Loader::add_channel(StartUp& start_up, std::uint32_t number, SourceId sourc
   LoadedGroup& group = machine_.groups.emplace_back();
   if (channel.list.name) group.name = channel.list.name->text;
   group.channel_list = source;
-  read_dynamics(group, number);
+  read_dynamics(group, look_ahead_of(*machine_.start_up, number, sources_));
   for (ChannelAxis const& named : channel.list.axes) {
     auto const axis = axis_numbered(machine_, named.number->number);
     bool const is_new = axis && std::find(group.axes.begin(), group.axes.end(), *axis) == group.axes.end();

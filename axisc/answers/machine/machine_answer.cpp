@@ -2,6 +2,8 @@
 
 #include "axisc/answers/axis_type.hpp"
 #include "axisc/answers/labels.hpp"
+#include "axisc/answers/machine/channel_keys.hpp"
+#include "validator/loading/loader.hpp"
 #include "validator/loading/unreadable_file.hpp"
 #include "validator/sentences.hpp"
 #include "validator/views/drive.hpp"
@@ -15,6 +17,7 @@ constexpr Sentence machine{"machine {machine}", "Maschine {machine}"};
 constexpr Sentence cycle_time_at{"{time} ({place})", "{time} ({place})"};
 constexpr Sentence no_cycle_time{"unknown; `--cycle-time` gives it", "unbekannt; `--cycle-time` gibt sie an"};
 constexpr Sentence default_list{"default list", "Standardliste"};
+constexpr Sentence default_channel_list{"default list of channels", "Standardliste der Kanäle"};
 constexpr Sentence gantry{"gantry", "Gantry"};
 constexpr Sentence named_in{"named in", "genannt in"};
 constexpr Sentence master{"master", "Master"};
@@ -141,7 +144,7 @@ Sections file_axes(LoadedMachine const& machine, SourceSet const& sources) {
   return entries("axes", std::move(axes));
 }
 
-Sections file_groups(LoadedMachine const& machine, SourceSet const& sources) {
+Sections file_groups(LoadedMachine const& machine, ChannelKeys const& keys, SourceSet const& sources) {
   bool const is_project = machine.start_up && machine.start_up->is_project;
   std::vector<std::vector<Field>> groups;
   for (auto const& group : machine.groups) {
@@ -154,6 +157,9 @@ Sections file_groups(LoadedMachine const& machine, SourceSet const& sources) {
     // A project has its lists inside.
     if (group.channel_list && !is_project) {
       fields.push_back(data("channel_list", sources[*group.channel_list].name()));
+    }
+    if (auto const blocks = keys.look_ahead[groups.size() - 1]) {
+      fields.push_back(data("look_ahead_blocks", *blocks));
     }
   }
   return entries("groups", std::move(groups));
@@ -172,7 +178,7 @@ Sections file_gantries(LoadedMachine const& machine) {
   return entries("gantries", std::move(gantries));
 }
 
-Facts facts_of(LoadedMachine const& machine, SourceSet const& sources) {
+Facts facts_of(LoadedMachine const& machine, ChannelKeys const& keys, SourceSet const& sources) {
   Facts facts{{data("machine", machine.name)}};
   auto& fields = facts.fields;
   Value time = Words(says::no_cycle_time);
@@ -191,6 +197,11 @@ Facts facts_of(LoadedMachine const& machine, SourceSet const& sources) {
     auto const& list = machine.lists[*machine.default_list];
     fields.push_back(data("default_list", sources[list.list.source].name()));
     fields.push_back(shown(says::default_list, list.name));
+  }
+  if (keys.default_channel_list) {
+    fields.push_back(data("default_channel_list", *keys.default_channel_list));
+    fields.push_back(
+        shown(says::default_channel_list, std::string(validator::file_name(*keys.default_channel_list))));
   }
   return facts;
 }
@@ -228,12 +239,13 @@ std::vector<MachineLack> lacks_of(LoadedMachine const& machine, SourceSet const&
 }
 
 Document machine_answer(LoadedMachine const& machine, SourceSet const& sources) {
-  Document answer{
-      .version = 0,
-      .title = Words(says::machine, {{"machine", machine.name}}),
-      .blocks = {facts_of(machine, sources), axes_table(machine, sources), channels_table(machine),
-                 lacks_table(machine, sources), file_axes(machine, sources), file_groups(machine, sources)},
-      .csv_table = "understood_axes"};
+  auto const keys = channel_keys_of(machine, sources);
+  Document answer{.version = 0,
+                  .title = Words(says::machine, {{"machine", machine.name}}),
+                  .blocks = {facts_of(machine, keys, sources), axes_table(machine, sources),
+                             channels_table(machine), lacks_table(machine, sources),
+                             file_axes(machine, sources), file_groups(machine, keys, sources)},
+                  .csv_table = "understood_axes"};
   auto& blocks = answer.blocks;
   if (!machine.gantry_claims.empty()) blocks.emplace_back(file_gantries(machine));
   Names filter_sets;

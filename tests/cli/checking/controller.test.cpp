@@ -7,6 +7,8 @@
 
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
 using namespace axisc::test;
 namespace fs = std::filesystem;
 
@@ -82,6 +84,43 @@ TEST_CASE("folder, start-up list and the machine file made of it compile to one 
   fs::remove(folder / "listen/m.json");
   CHECK(run_axisc({"compile", "..", "-o", "folder.axim", "--quiet"}, there).status == 0);
   CHECK(folder.read("listen/folder.axim") == image);
+}
+
+TEST_CASE("the machine file made of a start-up list keeps the default channel list and the look-ahead") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  folder.write("hochlauf.lis",
+               "kanal_anzahl 2\nsda_mds[0] sda1.lis\nsda_mds[1] sda2.lis\ndefault_sda_mds all.lis\n"
+               "zahl_mds 2\nachs_mds[0] x.lis\nachs_mds[1] y.lis\nrtconf_lis rt.lis\n"
+               "configuration.channel[0].interpolator.function FCT_LOOK_AHEAD_CUSTOM\n"
+               "configuration.channel[0].interpolator.number_blocks_lah 44\n");
+  folder.write("rt.lis", "cycle_time 1000\n");
+  for (std::string const number : {"1", "2"}) {
+    folder.write("sda" + number + ".lis", "gruppe[0].achs_anzahl 1\ngruppe[0].achse[0].bezeichnung A" +
+                                              number + "\ngruppe[0].achse[0].log_achs_nr " + number + "\n");
+  }
+  folder.write("all.lis", "prog_start.slope.profile 1\n");
+  folder.write("x.lis", "kopf.achs_nr 1\n");
+  folder.write("y.lis", "kopf.achs_nr 2\n");
+  auto const written = run_axisc({"machine", "hochlauf.lis", "--format", "json"}, there).out;
+  folder.write("m.json", written);
+  auto const machine = nlohmann::json::parse(written);
+  CHECK(machine["default_channel_list"] == "all.lis");
+  CHECK(machine["groups"][0]["look_ahead_blocks"] == 44);
+  CHECK_FALSE(machine["groups"][1].contains("look_ahead_blocks"));
+  // The channels' parameters are compared, too.
+  auto const difference = run_axisc({"diff", "hochlauf.lis", "m.json", "--format", "json"}, there);
+  INFO(difference.out << difference.err);
+  CHECK(nlohmann::json::parse(difference.out)["channels"].empty());
+  // Written again it is the same, with paths from the working folder.
+  CHECK(run_axisc({"machine", "m.json", "--format", "json"}, there).out == written);
+  CHECK_THAT(run_axisc({"machine", "m.json", "--lang", "de"}, there).out,
+             Catch::Matchers::Contains("Standardliste der Kanäle") && Catch::Matchers::Contains("all.lis"));
+  folder.write("bad.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}],
+    "default_channel_list": "x.lis", "groups": [{"axes": ["X"], "look_ahead_blocks": 5}]})");
+  auto const bad = run_axisc({"lint", "bad.json"}, there).out;
+  CHECK_THAT(bad, Catch::Matchers::Contains("look_ahead_blocks") && Catch::Matchers::Contains("x.lis") &&
+                      Catch::Matchers::Contains("AX4020"));
 }
 
 TEST_CASE("a folder with several machines is asked for one, and lint checks each") {

@@ -37,9 +37,11 @@ std::vector<FileKind> const& kinds() {
       {"docs/schemas/machine.schema.json", "docs/machine-file.md", axisc::configuration::machine_file_shape,
        R"({
         "machine": "mill", "cycle_time_us": 1000, "default_list": "default.lis",
+        "default_channel_list": "sda.lis",
         "axes": [{"name": "X", "list": "x.lis", "drive": "profiDrive", "position_control": "CNC", "type": "t"},
                  {"name": "Y", "list": "y.lis", "drive": "RT Ethernet", "type": "S"}],
-        "groups": [{"name": "table", "axes": ["X", "Y"], "programs": ["a.nc"], "channel_list": "sda.lis"}],
+        "groups": [{"name": "table", "axes": ["X", "Y"], "programs": ["a.nc"], "channel_list": "sda1.lis",
+                    "look_ahead_blocks": 190}],
         "gantries": [{"master": "X", "slaves": ["Y"]}],
         "programs": ["b.nc"], "filter_sets": ["#FILTER ON"], "inch": false})"},
       {"docs/schemas/settings.schema.json", "docs/settings.md", axisc::settings_shape, R"({

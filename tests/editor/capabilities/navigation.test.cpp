@@ -57,6 +57,18 @@ TEST_CASE("the names of files lead to the files") {
   CHECK(results[3].contains("error"));
 }
 
+TEST_CASE("the names of channel lists in a machine file lead to them") {
+  TemporaryFolder const folder;
+  folder.write("m.json", R"({"default_channel_list": "all.lis", "axes": [{"name": "X", "list": "x.lis"}],
+                             "groups": [{"axes": ["X"], "channel_list": "sda.lis"}]})");
+  for (std::string const name : {"all.lis", "x.lis", "sda.lis"}) folder.write(name, "\n");
+  auto const machine = folder / "m.json";
+  auto const links = Conversation().open(machine).ask("textDocument/documentLink", machine).results()[0];
+  REQUIRE(links.size() == 3);
+  CHECK(links[0]["target"] == "file://" + (folder / "all.lis"));
+  CHECK(links[2]["target"] == "file://" + (folder / "sda.lis"));
+}
+
 TEST_CASE("references of a default list are all lists of the machine that set the parameter") {
   auto const& folder = folder_of_two_axes();
   auto const found = Conversation()
