@@ -1,9 +1,13 @@
 // The programs of samples/motion/dynamics: what each word that says how a path is driven does, against
 // figures by hand. X and Y have 2 m/s² and ramps of 50 ms: from rest to 100 mm/s in 0.1 s and 5 mm.
+#include "schema/motion_words.hpp"
+
 #include "constructs.hpp"
+#include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -107,6 +111,58 @@ TEST_CASE("motion words: braking for a lower feed behind a block, or by its end"
                                         {"N50", 20 / 50.0},
                                         {"N60", up_and_down},
                                         {"N70", (20 - 0.625) / 50 + change}});
+}
+
+TEST_CASE("motion words: those that change nothing") {
+  std::vector<TimedBlock> expected;
+  for (std::string const label : {"N20", "N30", "N40", "N50", "N60", "N80", "N100", "N150", "N170"}) {
+    expected.push_back({label, stop_to_stop(100)});
+  }
+  check_times(simulated("accepted.nc"), expected);
+}
+
+TEST_CASE("motion words: the least velocity through corners, in a program") {
+  auto const found = simulated("corners.nc");
+  // a T²/tr, and 60 mm/min: what both blocks of a corner say, the lower one counts.
+  std::vector<double> const mm_per_s = {0.04, 0.04, 0.04, 1, 0.04, 0.04, 0};
+  REQUIRE(found["blocks"].size() == mm_per_s.size());
+  for (std::size_t i = 0; i < mm_per_s.size(); ++i) {
+    INFO(found["blocks"][i]["block"]);
+    CHECK(found["blocks"][i]["velocity_out_mm_s"].get<double>() == Approx(mm_per_s[i]).margin(1e-9));
+  }
+}
+
+namespace {
+
+/// The words of a program, without comments, each behind a blank.
+std::string words_of(std::filesystem::path const& program) {
+  std::string words = " ";
+  int depth = 0;
+  for (char const letter : read_source_file(program)) {
+    if (letter == '(') ++depth;
+    if (depth == 0) words += letter == '\n' || letter == '=' || letter == '[' ? ' ' : letter;
+    if (letter == ')') --depth;
+  }
+  return words + " ";
+}
+
+}  // namespace
+
+TEST_CASE("motion words: each is in a sample that follows it, or that is refused at it") {
+  std::string followed;
+  for (auto const& entry : std::filesystem::directory_iterator(AXISC_SOURCE_DIR "/samples/motion/dynamics")) {
+    if (entry.path().extension() != ".nc") continue;
+    std::string const name = entry.path().filename().string();
+    simulated(name);
+    followed += words_of("samples/motion/dynamics/" + name);
+  }
+  std::string const refused = words_of("samples/motion/constructs/foreign.nc");
+  for (auto const& word : axisc::schema::motion_words()) {
+    INFO(word.word);
+    bool const is_refused = word.use == axisc::schema::WordUse::refused;
+    CHECK_THAT(is_refused ? refused : followed,
+               Catch::Matchers::Contains(" " + std::string(word.word) + " "));
+  }
 }
 
 TEST_CASE("motion words: the least velocity through a corner") {
