@@ -37,9 +37,9 @@ struct RecordedSignals {
 
 /// Rows as in analysis/recordings/number_rows.hpp. A column whose name begins with "time" or "zeit" is the
 /// time of the columns after it, in ms unless the name ends in "_s" or "[s]"; without names the first of
-/// three columns, and the first of each pair of four. That of the first signal counts. `file` is the name in
+/// three columns, and the first of each pair of four. That of the first signal counts. `name` is the file in
 /// messages. Failure (AX9005) for a mistake, also where more than a quarter of the cycles is lost.
-[[nodiscard]] RecordedSignals read_recorded_signals(std::string const& file, recordings::ByteSource source,
+[[nodiscard]] RecordedSignals read_recorded_signals(std::string const& name, recordings::ByteSource source,
                                                     ChooseColumns const& choose,
                                                     design::CycleTime cycle_time);
 

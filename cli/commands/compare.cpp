@@ -2,6 +2,7 @@
 #include "axisc/answers/execution/recorded_switches.hpp"
 #include "axisc/checking/compiled_input.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/commands/compare_motion.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
@@ -12,8 +13,8 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence argument_recording{"what a scope recorded: two columns, a row a cycle",
-                                      "was ein Scope aufzeichnete: zwei Spalten, eine Zeile je Zyklus"};
+constexpr Sentence argument_recording{"what a scope recorded, a row a cycle",
+                                      "was ein Scope aufzeichnete, eine Zeile je Zyklus"};
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
                                "die aufgezeichnete Achse (Standardwert: die einzige)"};
 constexpr Sentence option_switched{
@@ -21,8 +22,28 @@ constexpr Sentence option_switched{
     "banks",
     "die Steuerung führte BEFEHL (#FILTER ...) vor diesem Zyklus der Aufzeichnung aus; für "
     "Abbilder mit Kernbänken"};
-constexpr Sentence option_emit{"write the readings that fit as \"design\" of axisc.json instead",
-                               "stattdessen die passenden Lesarten als \"design\" für axisc.json ausgeben"};
+constexpr Sentence option_recorded_program{
+    "the recorded NC program: compare its path, not the filters; columns are those of the axes, which --in "
+    "names as X=COLUMN, once for each",
+    "das aufgezeichnete NC-Programm: seine Bahn vergleichen, nicht die Filter; Spalten sind die der Achsen, "
+    "--in nennt sie als X=SPALTE, einmal je Achse"};
+constexpr Sentence option_emit{
+    "settings: write the readings that fit as \"design\" of axisc.json instead, with --program as "
+    "\"motion\"; program: without a recording, write an NC program whose recording tells the readings of "
+    "\"motion\"",
+    "settings: stattdessen die passenden Lesarten als \"design\" für axisc.json ausgeben, mit --program als "
+    "\"motion\"; program: ohne Aufzeichnung ein NC-Programm ausgeben, dessen Aufzeichnung die Lesarten von "
+    "\"motion\" zeigt"};
+constexpr Sentence one_setpoint_column{
+    "--in names one column, the setpoint before the filters; several are for --program",
+    "--in nennt eine Spalte, den Sollwert vor den Filtern; mehrere gibt es nur mit --program"};
+constexpr Sentence group_of_program{
+    "--group is for --program and --emit program; --axis names the axis whose filters are compared",
+    "--group gilt für --program und --emit program; --axis nennt die Achse, deren Filter verglichen werden"};
+constexpr Sentence not_recorded_yet{
+    "--emit program writes the program that is to be recorded: give the machine alone, without a recording",
+    "--emit program schreibt das Programm, das aufgezeichnet werden soll: nur die Maschine angeben, ohne "
+    "Aufzeichnung"};
 constexpr Sentence no_settings{
     "no settings: the recording does not tell one reading that settings have; `axisc compare` without --emit "
     "says what fits",
@@ -35,12 +56,11 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Emitted : std::uint8_t { nothing, settings };
+enum class Emitted : std::uint8_t { nothing, settings, program };
 
 struct CompareOptions {
-  std::optional<std::string> input, recording, axis, cycle_time;
-  std::vector<std::string> commands;
-  WantedColumns columns;
+  std::optional<std::string> input, recording, axis, cycle_time, program, group, output;
+  std::vector<std::string> commands, columns;
   RecordedUnit unit = RecordedUnit::recognised;
   bool alone = false;
   presentation::Format format = presentation::Format::text;
@@ -50,9 +70,7 @@ struct CompareOptions {
 void declare(CommandLine& command_line, CompareOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_input);
   command_line.argument("RECORDING.csv", options.recording, says::argument_recording);
-  command_line.value("--axis", "NAME", options.axis, says::option_axis);
-  command_line.value("--in", "COLUMN", options.columns.input, says::option_setpoint_column);
-  command_line.value("--out", "COLUMN", options.columns.output, says::option_filtered_column);
+  command_line.values("--in", "COLUMN", options.columns, says::option_setpoint_column);
   command_line.choice("--unit",
                       {{"0.1um", RecordedUnit::tenths},
                        {"um", RecordedUnit::um},
@@ -61,8 +79,15 @@ void declare(CommandLine& command_line, CompareOptions& options) {
                       options.unit, says::option_recorded_unit);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, options.alone);
+  command_line.choice("--emit", {{"settings", Emitted::settings}, {"program", Emitted::program}},
+                      options.emitted, says::option_emit);
+  command_line.value("--program", "PART.nc", options.program, says::option_recorded_program);
+  command_line.value("--group", "NAME", options.group, says::option_group);
+  command_line.not_with("--program");
+  command_line.value("--axis", "NAME", options.axis, says::option_axis);
+  command_line.value("--out", "COLUMN", options.output, says::option_filtered_column);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_switched);
-  command_line.choice("--emit", {{"settings", Emitted::settings}}, options.emitted, says::option_emit);
+  command_line.not_with("");
   declare_format(command_line, options.format);
 }
 
@@ -81,15 +106,25 @@ ExitStatus emit_settings(comparison::Comparison const& result, design::Readings 
   return is_complete ? ExitStatus::success : ExitStatus::findings;
 }
 
-}  // namespace
+MotionOptions motion_options(CompareOptions const& options) {
+  return {.input = *options.input,
+          .recording = options.recording.value_or(""),
+          .program = options.program.value_or(""),
+          .group = options.group,
+          .cycle_time = options.cycle_time,
+          .columns = options.columns,
+          .unit = options.unit,
+          .alone = options.alone,
+          .emits_settings = options.emitted == Emitted::settings,
+          .format = options.format};
+}
 
-ExitStatus compare(Invocation const& invocation) {
-  CompareOptions options;
-  CommandLine command_line("compare", invocation.language);
-  declare(command_line, options);
-  if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(options.input.has_value(), "INPUT");
-  command_line.require(options.recording.has_value(), "RECORDING.csv");
+ExitStatus compare_filters(CompareOptions const& options, Invocation const& invocation,
+                           CommandLine const& command_line) {
+  if (options.columns.size() > 1) throw Failure({.sentence = says::one_setpoint_column, .arguments = {}});
+  if (options.group) throw Failure({.sentence = says::group_of_program, .arguments = {}});
+  WantedColumns columns{.input = {}, .output = options.output};
+  if (!options.columns.empty()) columns.input = options.columns.front();
   Workspace workspace(overrides_with(options.cycle_time));
   auto const input =
       compiled_input(workspace, {.input = *options.input, .alone = options.alone},
@@ -99,7 +134,7 @@ ExitStatus compare(Invocation const& invocation) {
   auto const axis = recorded_axis(image, options.axis ? options.axis : input->axis(), *options.input);
   auto const commands =
       read_timed_commands(options.commands, input->image, *options.input, invocation.language);
-  auto const recorded = compare_axis(image, axis, *options.recording, options.columns, options.unit,
+  auto const recorded = compare_axis(image, axis, *options.recording, columns, options.unit,
                                      kernel_switches(commands, image, axis, *options.input));
   refuse_late(commands, recorded.columns.recording.input.size());
   if (options.emitted == Emitted::settings) {
@@ -109,6 +144,23 @@ ExitStatus compare(Invocation const& invocation) {
   auto const verdict = recorded.result.verdict;
   bool const agrees = verdict == comparison::Verdict::same || verdict == comparison::Verdict::delayed;
   return agrees ? ExitStatus::success : ExitStatus::findings;
+}
+
+}  // namespace
+
+ExitStatus compare(Invocation const& invocation) {
+  CompareOptions options;
+  CommandLine command_line("compare", invocation.language);
+  declare(command_line, options);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(options.input.has_value(), "INPUT");
+  if (options.emitted == Emitted::program) {
+    if (options.recording) throw Failure({.sentence = says::not_recorded_yet, .arguments = {}});
+    return emit_program(motion_options(options), invocation, command_line);
+  }
+  command_line.require(options.recording.has_value(), "RECORDING.csv");
+  if (options.program) return compare_motion(motion_options(options), invocation, command_line);
+  return compare_filters(options, invocation, command_line);
 }
 
 }  // namespace axisc::cli

@@ -96,6 +96,6 @@ TEST_CASE("the page about suggestions shows what its commands print") {
 
 TEST_CASE("the page about recordings shows what its commands print") {
   TemporaryFolder const folder;
-  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/recording", folder / "try");
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/recording", folder / "try", fs::copy_options::recursive);
   check_golden("docs/compare.md", executed(read_source_file("docs/compare.md"), folder / "try"));
 }

@@ -113,12 +113,13 @@ class Candidates {
   }
 
   /// There and back: the same blocks in the opposite order.
-  void there_and_back(std::string_view type, std::vector<Ways> const& blocks, double feed) {
+  void there_and_back(std::string_view type, std::vector<Ways> blocks, double feed) {
     NcLines lines{slope(type)};
     for (auto const& ways : blocks) lines.push_back(line(ways));
     lines[1] += feed_word(feed);
     lines.push_back(pause_line());
-    for (auto at = blocks.rbegin(); at != blocks.rend(); ++at) lines.push_back(line(*at, -1));
+    std::reverse(blocks.begin(), blocks.end());
+    for (auto const& ways : blocks) lines.push_back(line(ways, -1));
     lines.push_back(pause_line());
     found_.push_back(std::move(lines));
   }
@@ -138,6 +139,7 @@ class Candidates {
   void chain(std::string_view type, std::vector<double> const& lengths) {
     for (std::size_t axis = 0; axis < channel_.axes.size(); ++axis) {
       std::vector<Ways> blocks;
+      blocks.reserve(lengths.size());
       for (double const length : lengths) blocks.push_back({{axis, length}});
       for (double const feed : feeds_of({axis})) there_and_back(type, blocks, feed);
     }
@@ -151,7 +153,8 @@ class Candidates {
     }
   }
 
-  /// 45°: one axis gains velocity that the other one only shares in; back it is the reverse. 90°: axes with unlike steps.
+  /// Into 45°, where one axis loses less velocity than the other one gains; back it is the reverse. 90° tells
+  /// where the axes allow unlike steps.
   void corners(std::size_t first, std::size_t second) {
     for (double const feed : feeds_of({first, second})) {
       there_and_back("TRAPEZ", {{{first, 10}}, {{first, 10}, {second, 10}}}, feed);

@@ -149,7 +149,10 @@ void choose(MotionKey key, motion::ProgramChannel const& channel, motion::PathDy
   for (auto& lines : move_candidates(key, channel, dynamics)) {
     if (confusion == 0) return;
     auto moves = moves_of(lines, channel);
-    if (!moves) continue;
+    bool const may_tell = moves && std::any_of(moves->begin(), moves->end(), [&](Move const& move) {
+                            return acting_keys(move, dynamics).test(index_of(key));
+                          });
+    if (!may_tell) continue;
     Told more = told;
     bool is_complete = true;
     for (auto const& move : *moves) {

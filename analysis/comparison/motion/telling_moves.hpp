@@ -29,9 +29,9 @@ struct TellingProgram {
   std::array<Outlook, motion_key_count> outlook{};
 };
 
-/// Chooses the first of a few short moves, gentle ones first, that differ by more than recordings with steps of 0.1 µm
-/// or 0.0001° hide. Moves begin wherever the axes are, and end there. Cost: some hundred plans of moves of
-/// seconds.
+/// Chooses the first of a few short moves, gentle ones first, that differ by more than recordings with steps
+/// of 0.1 µm or 0.0001° hide. Moves begin wherever the axes are, and end there. Cost: some hundred plans of
+/// moves of seconds.
 [[nodiscard]] TellingProgram telling_program(motion::ProgramChannel const& channel,
                                              motion::PathDynamics const& dynamics);
 

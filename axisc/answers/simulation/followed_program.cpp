@@ -59,13 +59,6 @@ class CommandCollector final : public motion::PathListener {
   machine::FilterParameters current_;
 };
 
-motion::PathLimits limits_of(machine::Machine const& machine, machine::MachineGroup const& group) {
-  motion::PathDynamics dynamics{
-      .axes = {}, .channel = group.dynamics, .readings = machine.motion, .cycle_time = machine.cycle_time};
-  for (auto const index : group.axes) dynamics.axes.push_back(machine.axes[index].dynamics);
-  return motion::PathLimits(std::move(dynamics));
-}
-
 /// A program is never held completely: a source holds only the line in question, with its line number.
 void pass_on(motion::ProgramProblem problem, std::string const& path, TakeProblem const& take) {
   std::string padded(problem.line - 1, '\n');
@@ -162,6 +155,13 @@ motion::ProgramChannel channel_of(machine::Machine const& machine, machine::Mach
   return channel;
 }
 
+motion::PathDynamics path_dynamics(machine::Machine const& machine, machine::MachineGroup const& group) {
+  motion::PathDynamics dynamics{
+      .axes = {}, .channel = group.dynamics, .readings = machine.motion, .cycle_time = machine.cycle_time};
+  for (auto const index : group.axes) dynamics.axes.push_back(machine.axes[index].dynamics);
+  return dynamics;
+}
+
 bool survey_program(ProgramLines& program, ProgramRequest const& request, machine::Machine& machine,
                     std::size_t group, TakeProblem const& take) {
   CommandCollector collector;
@@ -192,9 +192,9 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
     }
   };
   motion::Simulation simulation(group_runtime(image, group, request.machine_path),
-                                group_runtime(image, group, request.machine_path), limits_of(machine, group),
-                                request.constant_velocity, listener,
-                                {.most_cycles = request.most_cycles, .working = show_progress});
+                                group_runtime(image, group, request.machine_path),
+                                motion::PathLimits(path_dynamics(machine, group)), request.constant_velocity,
+                                listener, {.most_cycles = request.most_cycles, .working = show_progress});
   running = &simulation;
   motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
   program.read([&](std::string_view line, std::uint32_t offset) {

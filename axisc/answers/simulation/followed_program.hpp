@@ -29,6 +29,10 @@ struct ProgramRequest {
 [[nodiscard]] motion::ProgramChannel channel_of(machine::Machine const& machine,
                                                 machine::MachineGroup const& group);
 
+/// What lists and settings say about its path.
+[[nodiscard]] motion::PathDynamics path_dynamics(machine::Machine const& machine,
+                                                 machine::MachineGroup const& group);
+
 /// Takes what is wrong with a program, or not followed in it.
 using TakeProblem = std::function<void(Finding const& problem, SourceSet const& sources)>;
 
