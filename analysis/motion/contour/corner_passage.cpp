@@ -105,8 +105,9 @@ ContourFigures predict_in_plane(ChainAnswer const& first, ChainAnswer const& sec
   for (std::size_t i = 0; i < x_path.size(); ++i) path.push_back({x_path[i], y_path[i]});
   SearchedPath const searched(std::move(path));
   ContourFigures figures;
+  int const first_cycle = -2 * reach;
   for (int n = -reach; n <= reach; ++n) {
-    figures.take(searched.nearest(passage.setpoint_at(n), static_cast<std::size_t>(n + 2 * reach)));
+    figures.take(searched.nearest(passage.setpoint_at(n), static_cast<std::size_t>(n - first_cycle)));
   }
   return figures;
 }

@@ -47,7 +47,6 @@ namespace axisc {
 
 namespace {
 
-using motion::CornerLeg;
 using motion::units_per_mm;
 using namespace presentation;
 
@@ -109,8 +108,9 @@ std::vector<Block> passage_blocks(GroupContour const& group, ContourRequest cons
   Table table{.key = "corner_passage",
               .columns = {head_column("feed_mm_per_min", says::passage_feed, Unit::millimetre_per_minute)}};
   for (auto& one : passage_columns()) table.columns.push_back(std::move(one));
-  for (auto& one : data_columns({"slowed_by_axis", "axis_step_mm_s"}))
+  for (auto& one : data_columns({"slowed_by_axis", "axis_step_mm_s"})) {
     table.columns.push_back(std::move(one));
+  }
   for (auto const& passed : group.passages) table.rows.push_back(row_of(passed, group));
   Section section{.key = {},
                   .title = Words(says::passage_title, {{"angle", exact(wanted.angle_deg, Unit::degree)},
