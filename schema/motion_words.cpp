@@ -78,8 +78,8 @@ constexpr Sentence slope{
     "across blocks (HSC: a reading, not documented). DEFAULT is P-CHAN-00071. Behind a TYPE weights are of "
     "all values. Any other TYPE is message 120020.",
     "Wie Beschleunigung kommt und geht: sprungförmig (STEP), in Rampen konstanten Rucks (TRAPEZ), als sin² "
-    "(SIN2), satzübergreifend (HSC: Lesart). DEFAULT: P-CHAN-00071. Nach TYPE gelten Gewichte für alles. Ein "
-    "anderer TYPE ist Meldung 120020."};
+    "(SIN2), satzübergreifend (HSC: Lesart). DEFAULT: P-CHAN-00071. Nach TYPE gelten Gewichte für alles. "
+    "Anderer TYPE: Meldung 120020."};
 constexpr Sentence slope_number{
     "The older form of #SLOPE: 0 STEP, 1 TRAPEZ, 2 SIN2, 3 HSC. Another number: 120178.",
     "Die ältere Form von #SLOPE: 0 STEP, 1 TRAPEZ, 2 SIN2, 3 HSC. Andere Zahl: 120178."};
