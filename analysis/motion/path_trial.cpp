@@ -1,5 +1,7 @@
 #include "analysis/motion/path_trial.hpp"
 
+#include "analysis/motion/velocity_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,10 +13,8 @@ namespace {
 /// The chains do the same within this, cycles.
 constexpr double same_answer = 1e-9;
 constexpr std::int64_t cycles_per_call = 1024;
-/// Shares of a tolerance: the error between two points is not looked at below the first one; an error halfway
-/// that is within the second one of a straight line counts as on it.
+/// A share of a tolerance: between two points below it the error is not looked at.
 constexpr double near_tolerance = 0.9;
-constexpr double straight_within = 0.002;
 constexpr int most_halvings = 6;
 
 bool same(ChainAnswer const& a, ChainAnswer const& b) {

@@ -11,16 +11,18 @@ namespace axisc::motion {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// How often the path ahead is slowed down for a corner that the machine has passed.
-constexpr int most_tries_behind = 20;
-/// How often it is slowed down for any corner.
-constexpr int most_tries = 40;
-/// Plans, and two more for each corner, before all of the path is slowed down (see the header).
-constexpr int patient_rounds = 60;
+// Bounds on effort; what they end is settled by the proof or by the header's floor.
+
+/// How often the path ahead is slowed down for a corner that the machine has passed: it cannot be slowed down
+/// itself, so that half of the tries of others must do.
+constexpr int most_tries_behind = most_tries / 2;
+/// Plans, and two more for each corner, before all of the path is slowed down (see the header): a corner
+/// ahead and one behind use up their tries one after the other.
+constexpr int patient_rounds = most_tries + most_tries_behind;
 /// Cells that one proof looks at: the first that fails ends it.
 constexpr std::size_t proved_together = 16;
-/// A corner is slowed down only after its neighbours where one of them has a larger error than its own over
-/// this.
+/// Below this share of a neighbour's error a corner waits for what slowing that one down does for it: so much
+/// is only lacking where both are within reach of the same plateau.
 constexpr double beside_worse = 0.9;
 /// Cycles: rounding of the place of a time within its cycle.
 constexpr double same_phase = 1e-7;
@@ -64,12 +66,9 @@ double farthest_per_velocity(std::span<ChainAnswer const> answers) {
   double const delay = (earliest + latest) / 2;
   double squares = 0;
   for (auto const& answer : answers) {
-    auto const& r = answer.ramp;
     double sum = 0;
-    for (std::size_t k = 0; k + 1 < r.size(); ++k) {
-      // The impulse response is the second difference of the ramp's.
-      double const b = r[k + 1] - 2 * r[k] + (k > 0 ? r[k - 1] : 0.0);
-      sum += std::abs(b) * (std::abs(static_cast<double>(k) - delay) + 1);
+    for (std::size_t k = 0; k < answer.tap_count(); ++k) {
+      sum += std::abs(answer.tap(k)) * (std::abs(static_cast<double>(k) - delay) + 1);
     }
     squares += sum * sum;
   }

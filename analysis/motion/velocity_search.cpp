@@ -7,24 +7,34 @@ namespace axisc::motion {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// A smaller power of the velocity shows that something else causes the error.
-constexpr double least_growth = 0.3;
+/// The error e grows with a power p of the velocity: p = 1 at a corner, 2 on an arc, between them and beyond
+/// where ramps and neighbours take part. Outside of these something else causes it.
 constexpr double most_growth = 3;
-/// Two trials show the power only where their velocities are this far apart (a logarithm).
+constexpr double least_growth = 1 / most_growth;
+/// Two trials show p only where their velocities are this far apart (a logarithm).
 constexpr double least_apart = 1e-4;
-/// A trial at this share of the one before should have a smaller error.
-constexpr double clearly_slower = 0.95;
-/// Each lowering is at least this one, so that a search ends.
-constexpr double least_lowering = 0.998;
-/// After the refining rounds each lowering goes below its target, by this much more than the one before, down
-/// to half.
-constexpr double added_lowering = 0.02;
+
+// By  e2/e1 = (v2/v1)^p  the band of what is found is
+//     b = largest_found / smallest_found
+// in errors, and b^(1/p) in velocities.
+double const band = largest_found / smallest_found;
+/// An error that grows least leaves the band with this share of the velocity: after such a step it must be
+/// smaller.
+double const clearly_slower = std::pow(band, -1 / least_growth);
+/// Between a velocity that keeps the tolerance and one that exceeds it by no more than this, no error that
+/// grows most lies in the band: nothing is left to try.
+double const nothing_between = std::pow(band, 1 / most_growth);
+/// The step from the upper edge of the band to its middle where the error grows most. Each lowering is at
+/// least this one, so that a search ends.
+double const least_lowering = std::pow(aimed_at / largest_found, 1 / most_growth);
+
+/// After the refining rounds each lowering goes below its target, each a little further than the one before:
+/// the last halves it.
 constexpr double most_lowering = 0.5;
+constexpr double added_lowering = (1 - most_lowering) / (most_tries - refining_rounds);
 /// A search slows the path down where the path was as fast as it allowed, but for rounding.
-constexpr double as_allowed = 0.999;
-/// Between a velocity that keeps the tolerance and one that exceeds it nothing is left to try.
-constexpr double nothing_between = 1.004;
-/// A velocity that is raised is multiplied by at most this share of its power.
+constexpr double as_allowed = 1 - 1e-6;
+/// An error far below the band says little about p: it counts as no less than this share of the target.
 constexpr double most_raise = 4;
 
 }  // namespace
@@ -59,7 +69,7 @@ bool VelocitySearch::lower(double tolerance, double floor, double power) {
   if (lowered <= refining_rounds) {
     if (next <= kept) next = (kept + from) / 2;
   } else {
-    next *= std::max(most_lowering, 1 - added_lowering * (lowered - refining_rounds));
+    next *= 1 - added_lowering * (std::min(lowered, most_tries) - refining_rounds);
   }
   velocity_before = from;
   error_before = error;
@@ -75,7 +85,8 @@ bool VelocitySearch::raise(double tolerance) {
   if (exceeded <= kept) exceeded = unlimited;
   if (exceeded < kept * nothing_between) return false;
   ++raised;
-  double const share = std::clamp(aimed_at * tolerance / std::max(error, 1e-9), 1.0, most_raise);
+  double const counted = std::max(error, aimed_at * tolerance / most_raise);
+  double const share = std::max(aimed_at * tolerance / counted, 1.0);
   double next = velocity * std::pow(share, 1 / growth(velocity, 1));
   if (next >= exceeded) next = (kept + exceeded) / 2;
   velocity_before = velocity;

@@ -10,16 +10,26 @@
 
 namespace axisc::motion {
 
-/// Shares of the tolerance. Errors above the first are too large; between the points that are looked at they
-/// may still be a little larger. A velocity is found where it leaves errors between the next two, so that a
-/// few more or less do no harm when the path passes a place at another time in its cycle. The last one is the
-/// target.
-inline constexpr double largest_share = 0.997;
+// Shares of the tolerance. Only the first decides whether the tolerance is kept. The others are a compromise
+// between velocity and effort: what is proved at last is the path itself.
+
+/// Points of the path are looked at more closely until the error halfway between two of them is within this
+/// of the mean of both (path_trial.hpp). A parabola through the three exceeds the largest of them by at most
+/// a quarter of this.
+inline constexpr double straight_within = 0.002;
+/// Errors above this are too large. What is not a parabola may exceed what was seen by half as much again as
+/// the error halfway may deviate:  1 - 3/2 straight_within.
+inline constexpr double largest_share = 1 - 1.5 * straight_within;
+/// A velocity is found where it leaves errors in this band, and aims at its middle. It is as wide as needed
+/// for some searches to meet in it, and stays below largest_share, because a path that other corners slow
+/// down passes a place at another time in its cycle.
 inline constexpr double largest_found = 0.989;
 inline constexpr double smallest_found = 0.975;
-inline constexpr double aimed_at = 0.982;
+inline constexpr double aimed_at = (smallest_found + largest_found) / 2;
 
-/// The first lowerings take back what is known to keep the tolerance; those after them come to their end.
+/// How often a place is slowed down. The first lowerings take back what is known to keep the tolerance; those
+/// after them come to their end.
+inline constexpr int most_tries = 40;
 inline constexpr int refining_rounds = 12;
 inline constexpr int most_raises = 6;
 
