@@ -17,7 +17,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
     g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
     clang-tools-14 lld llvm g++-mingw-w64-x86-64-posix wine64
     unzip mandoc groff-base zsh fish python3-jsonschema python3-yaml
-    neovim emacs-nox elpa-eglot chromium emscripten lintian mmdebstrap
+    neovim emacs-nox elpa-eglot chromium
     gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm
   )
 fi
@@ -28,7 +28,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
 fi
 if [ "${1:-}" = long ]; then
   packages+=(libsodium-dev:arm64 libpugixml-dev:arm64)
-  packages+=(pre-commit linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
+  packages+=(lintian mmdebstrap pre-commit emscripten linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
 fi
 
 missing=()

@@ -1,12 +1,13 @@
 # One function per kind of target, so that every folder's CMakeLists.txt is a list of files and neighbours.
 
-# Checkouts in other places share what was compiled before, where there is a cache.
+# Checkouts in other places share what was compiled before. Without a cache, nothing can be found in it, and
+# every source would be read twice.
 find_program(AXISC_CCACHE ccache)
 if("$ENV{CCACHE_DIR}" STREQUAL "" AND NOT EXISTS "$ENV{HOME}/.cache/ccache" AND NOT EXISTS "$ENV{HOME}/.ccache")
   set(AXISC_CCACHE "")
 endif()
 if(AXISC_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT MSVC AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(launcher "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+  set(launcher "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
     CCACHE_SLOPPINESS=pch_defines,time_macros "${AXISC_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})

@@ -48,6 +48,7 @@ class JsonReading {
   requires std::is_enum_v<T>
   void assign(JsonShape const& shape, JsonValue const& value, T& target) const {
     auto const word = std::find(shape.words.begin(), shape.words.end(), value.string);
+    if (word == shape.words.end()) return;  // as of a value that is not readable
     target = static_cast<T>(word - shape.words.begin());
   }
   template <typename T>

@@ -39,7 +39,7 @@ std::optional<presentation::Document> budget(Workspace& workspace, MachineReques
   auto const result = check_machine(workspace, machine, errors, sources, loaded);
   if (!result) return std::nullopt;
   require_cycle_time(machine, *result);
-  return delay_budget_answer(*loaded, sources, feed);
+  return delay_budget_answer(*loaded, *loaded->cycle_time, sources, feed);
 }
 
 }  // namespace

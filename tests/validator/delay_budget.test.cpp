@@ -14,7 +14,7 @@ using validator::DelayBudget;
 using validator::FeedforwardState;
 
 constexpr design::CycleTime one_millisecond{1'000'000};
-std::string const pt1 = "filter[0].type PT1\nfilter[0].order 1\nfilter[0].time_constant 4000\n";
+std::string const pt1 = "filter[0].type PT1\nfilter[0].enable 1\nfilter[0].order 1\nfilter[0].time_constant 4000\n";
 std::string const added_velocity = "vorsteuer.vorsteuerung ADD_VEL\nvorsteuer.default_active 1\n";
 std::string const profidrive = "kenngr.antr_typ 3\n";
 std::string const sercos = "kenngr.antr_typ 2\n";
@@ -26,8 +26,7 @@ struct Loaded {
 
   explicit Loaded(std::string const& lines)
       : files({{"x.lis", lines}}),
-        machine(std::get<validator::LoadedMachine>(
-            validator::load(files, "x.lis", {.cycle_time = one_millisecond}, sources))) {}
+        machine(std::get<validator::LoadedMachine>(validator::load(files, "x.lis", {}, sources))) {}
   [[nodiscard]] validator::LoadedAxis const& axis() const { return machine.axes.front(); }
 };
 
@@ -59,7 +58,7 @@ TEST_CASE("SERCOS knows no shift") {
 
 TEST_CASE("a time delay of the position alone is a lead, which a delay of the velocity takes back") {
   std::string const delay =
-      "filter[1].type TIME_DELAY\nfilter[1].order 1\nfilter[1].time_constant 2000\n"
+      "filter[1].type TIME_DELAY\nfilter[1].enable 1\nfilter[1].order 1\nfilter[1].time_constant 2000\n"
       "kenngr.delay_filter_only_position 1\n";
   auto const found = budget(pt1 + delay + added_velocity + sercos);
   CHECK(found.position == Approx(10.98).margin(0.005));

@@ -249,8 +249,9 @@ TEST_CASE("Improved Position Control in the newer spelling") {
       "lr_param.improved_position_control.enable 1\n"
       "lr_param.improved_position_control.v_add_max_fact 500\n" +
       stage + "mode SET_POINT\n" + stage + "filter[0].type ALLPASS\n" + stage + "filter[0].order 2\n" +
-      stage + "filter[0].fg_f0 40\n" + stage + "filter[1].type BANDPASS\n" + stage + "filter[1].order 1\n" +
-      stage + "filter[1].fg_f0 53\n" + stage + "filter[1].q_factor 4\n" + stage + "osc_damping 0.3\n");
+      stage + "filter[0].fg_f0 40\n" + stage + "filter[1].type BANDPASS\n" + stage +
+      "filter[1].prototype BESSEL\n" + stage + "filter[1].order 1\n" + stage + "filter[1].fg_f0 53\n" +
+      stage + "filter[1].q_factor 4\n" + stage + "osc_damping 0.3\n");
   REQUIRE(checked.result.machine);
   auto const& control = checked.result.machine->axes[0].position_control;
   REQUIRE(control);
@@ -260,10 +261,29 @@ TEST_CASE("Improved Position Control in the newer spelling") {
                                                                      .prototype = design::Prototype::bessel,
                                                                      .order = 2,
                                                                      .frequency = {40}});
+  CHECK(control->stages[0].filters[1].prototype == design::Prototype::bessel);
   CHECK(control->stages[0].filters[1].quality == 4);
   REQUIRE(control->stages[0].oscillator);
   CHECK(control->stages[0].oscillator->frequency.value == 53);
   CHECK(control->stages[0].oscillator->damping == 0.3);
+}
+
+TEST_CASE("the prototype of a stage's band-pass: P-AXIS-00848, CRIT_DAMPING where no list says one") {
+  auto const prototype = [](std::string const& line) {
+    std::string const stage = "lr_param.improved_position_control.stage[0].";
+    Checked const checked(
+        "lr_param.improved_position_control.enable 1\n"
+        "lr_param.improved_position_control.v_add_max_fact 500\n" +
+        stage + "mode DIRECT\n" + stage + "filter[0].order 2\n" + stage + "filter[0].fg_f0 53\n" + stage +
+        "filter[0].q_factor 4\n" + line);
+    REQUIRE(checked.result.machine);
+    return checked.result.machine->axes[0].position_control->stages[0].filters[0].prototype;
+  };
+  std::string const name = "lr_param.improved_position_control.stage[0].filter[0].prototype ";
+  CHECK(prototype("") == design::Prototype::critical_damping);
+  CHECK(prototype(name + "CRIT_DAMPING\n") == design::Prototype::critical_damping);
+  CHECK(prototype(name + "BUTTERWORTH\n") == design::Prototype::butterworth);
+  CHECK(prototype(name + "BESSEL\n") == design::Prototype::bessel);
 }
 
 TEST_CASE("where the position is controlled") {

@@ -12,13 +12,23 @@ namespace axisc::validator {
 namespace {
 
 constexpr double interpolator_cycles = 5;
-constexpr double micro = 1e-6;
 /// P-AXIS-00099 counts in hundredths of 1/s.
 constexpr double kv_unit = 1e-2;
 constexpr double micrometres_per_millimetre = 1000;
 
+/// From here on the control takes 0 (AX3045).
+constexpr double refused_quantity_cycles = 6;
+
 bool is_on(EffectiveValue const& flag) {
   return !flag.unusable && flag.value.flag();
+}
+
+/// A gain that a list gives to a position controller in the NC; null where there is none.
+EffectiveValue const* gain_in_nc(LoadedAxis const& axis) {
+  EffectiveValue const& gain = axis.merged.values.at("getriebe[].kv");
+  bool const is_in_nc = position_controller(axis) == machine::PositionController::cnc;
+  bool const is_known = gain.set() && !gain.unusable && gain.value.number > 0;
+  return is_in_nc && is_known ? &gain : nullptr;
 }
 
 struct QuantityTime {
@@ -37,12 +47,13 @@ constexpr std::array quantity_times{
 class Budget {
  public:
   Budget(LoadedAxis const& axis, design::CycleTime cycle_time, FeedforwardState state)
-      : axis_(axis), values_(axis.merged.values), cycle_time_(cycle_time), drive_(drive_of(axis)) {
+      : axis_(axis), values_(axis.merged.values), cycle_time_(cycle_time), drive_(stated_drive(axis)) {
     bool const is_switched_on =
         state == FeedforwardState::on || is_on(values_.at("vorsteuer.default_active"));
     bool const is_possible = !feedforward_.quantities.unusable && feedforward_.quantities.value.flag() &&
                              !is_on(values_.at("vorsteuer.global_disable"));
     result_.feeds_forward = is_possible && is_switched_on;
+    result_.feeds_velocity = result_.feeds_forward && feedforward_.uses(Feedforward::velocity);
   }
 
   std::optional<DelayBudget> take() {
@@ -109,7 +120,9 @@ class Budget {
   void add_feedforward() {
     EffectiveValue const& undelayed = values_.at("vorsteuer.feedforward_without_delay");
     if (!is_on(undelayed)) {
-      add(everywhere({.kind = DelayKind::interpolator, .cause = &undelayed}, interpolator_cycles));
+      // That they count for each axis is a reading.
+      add(everywhere({.kind = DelayKind::interpolator, .cause = &undelayed, .is_reading = true},
+                     interpolator_cycles));
     }
     EffectiveValue const& shift = values_.at("vorsteuer.shift_time");
     if (is_profidrive() && !shift.unusable) {
@@ -122,25 +135,23 @@ class Budget {
       bool const reaches_drive = drive_ != nullptr && (drive_->digital || is_lightbus);
       if (!reaches_drive || !feedforward_.uses(time.needs)) continue;
       DelayItem item{.kind = DelayKind::quantity, .cause = &values_.at(time.parameter)};
-      item.*time.path = cycles_of(*item.cause);
+      double const cycles = cycles_of(*item.cause);
+      if (cycles >= refused_quantity_cycles) continue;
+      item.*time.path = cycles;
       add(std::move(item));
     }
   }
 
   /// (1 - w)/Kv: what the position controller of the NC lags behind at constant velocity.
   void add_lag() {
-    EffectiveValue const& gain = values_.at("getriebe[].kv");
-    bool const is_in_nc = position_controller(axis_) == machine::PositionController::cnc;
-    if (!is_in_nc || gain.unusable || !(gain.value.number > 0)) return;
-    double const weight = result_.feeds_forward && feedforward_.uses(Feedforward::velocity)
-                              ? values_.at("vorsteuer.vs_v_faktor").value.number /
-                                    std::max(values_.at("vorsteuer.vs_v_nenner").value.number, 1.0)
-                              : 0;
-    double const seconds = (1 - weight) / (gain.value.number * kv_unit);
-    add({.kind = DelayKind::lag,
-         .cause = &gain,
-         .position = seconds / (cycle_time_.microseconds() * micro),
-         .is_reading = true});
+    EffectiveValue const* const gain = gain_in_nc(axis_);
+    EffectiveValue const& numerator = values_.at("vorsteuer.vs_v_faktor");
+    EffectiveValue const& denominator = values_.at("vorsteuer.vs_v_nenner");
+    bool const is_known = !numerator.unusable && !denominator.unusable && denominator.value.number > 0;
+    if (gain == nullptr || !is_known) return;
+    double const weight = result_.feeds_velocity ? numerator.value.number / denominator.value.number : 0;
+    result_.lag = (1 - weight) / (gain->value.number * kv_unit) / cycle_time_.seconds();
+    add({.kind = DelayKind::lag, .cause = gain, .position = result_.lag, .is_reading = true});
   }
 
   static constexpr std::uint32_t lightbus = 5;
@@ -161,16 +172,26 @@ std::optional<DelayBudget> delay_budget(LoadedAxis const& axis, design::CycleTim
 }
 
 double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time) {
-  return feed * mismatch * cycle_time.microseconds() * micro / 2;
+  return feed * mismatch * cycle_time.seconds() / 2;
 }
 
 std::optional<double> deviation_of_lead(LoadedAxis const& axis, double lead, design::CycleTime cycle_time) {
-  EffectiveValue const& gain = axis.merged.values.at("getriebe[].kv");
+  EffectiveValue const* const gain = gain_in_nc(axis);
   EffectiveValue const& acceleration = axis.merged.values.at("getriebe[].dynamik.a_max");
-  bool const is_known = !gain.unusable && gain.value.number > 0 && !acceleration.unusable;
-  if (!is_known) return std::nullopt;
-  double const seconds = lead * cycle_time.microseconds() * micro;
-  return acceleration.value.number * micrometres_per_millimetre * seconds / (gain.value.number * kv_unit);
+  if (gain == nullptr || acceleration.unusable) return std::nullopt;
+  return acceleration.value.number * micrometres_per_millimetre * lead * cycle_time.seconds() /
+         (gain->value.number * kv_unit);
+}
+
+std::optional<double> lowest_velocity_limit(LoadedMachine const& machine, LoadedGroup const& group) {
+  std::optional<double> lowest;
+  for (std::size_t const index : group.axes) {
+    LoadedAxis const& axis = machine.axes[index];
+    EffectiveValue const& limit = axis.merged.values.at("getriebe[].dynamik.vb_max");
+    if (limit.unusable || axis.type != machine::AxisType::translatory) continue;
+    lowest = std::min(lowest.value_or(limit.value.number), limit.value.number);
+  }
+  return lowest;
 }
 
 }  // namespace axisc::validator

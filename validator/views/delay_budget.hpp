@@ -41,13 +41,16 @@ struct DelayItem {
 struct DelayBudget {
   std::vector<DelayItem> items;  ///< those that are not 0, on the way to the drive
   bool feeds_forward = false;    ///< otherwise nothing is on the other path, and its sums mean nothing
-  double position = 0;
+  bool feeds_velocity = false;   ///< otherwise there is no lead
+  double position = 0;           ///< with the lag
+  double lag = 0;                ///< of the position controller
   double velocity = 0;
   double acceleration = 0;
   double jerk = 0;
 
-  /// Positive: the velocity arrives before the position that belongs to it. 0 without feedforward.
-  [[nodiscard]] double lead() const { return feeds_forward ? position - velocity : 0; }
+  /// Positive: the velocity reaches the drive before the position that belongs to it. The lag arises behind
+  /// it and does not count. 0 where the velocity is not fed forward.
+  [[nodiscard]] double lead() const { return feeds_velocity ? position - lag - velocity : 0; }
 };
 
 /// None if a filter cannot be designed: its delay is then unknown. Where the drive type is not stated, what
@@ -58,9 +61,12 @@ struct DelayBudget {
 /// The largest deviation of a straight line or a circle between two axes, in µm: F ΔP/2 at 45°. `feed` in
 /// µm/s, `mismatch` in cycles.
 [[nodiscard]] double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time);
-/// How far a lead of the velocity takes an axis ahead while it accelerates, in µm: a L/Kv. None without an
-/// acceleration limit or a gain of the position controller.
+/// How far a lead of the velocity takes an axis ahead while it accelerates, in µm: a L/Kv. None where the
+/// position is not controlled in the NC, or no list gives its gain; a gain by default says nothing.
 [[nodiscard]] std::optional<double> deviation_of_lead(LoadedAxis const& axis, double lead,
                                                       design::CycleTime cycle_time);
+/// Of the linear axes of a channel, µm/s: P-AXIS-00212. None without a usable one.
+[[nodiscard]] std::optional<double> lowest_velocity_limit(LoadedMachine const& machine,
+                                                          LoadedGroup const& group);
 
 }  // namespace axisc::validator

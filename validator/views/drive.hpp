@@ -12,7 +12,7 @@ namespace axisc::validator {
 /// The machine file's drive, else that of P-AXIS-00020, set or not; null for a number that is not documented.
 [[nodiscard]] machine::DriveType const* drive_of(LoadedAxis const& axis);
 
-/// The same, but null where neither the machine file nor a list states it.
+/// The drive that the machine file or a list states; null where neither does.
 [[nodiscard]] machine::DriveType const* stated_drive(LoadedAxis const& axis);
 inline constexpr std::uint32_t profidrive = 3;  ///< of P-AXIS-00020
 

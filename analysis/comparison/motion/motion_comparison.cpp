@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
-#include <string_view>
 #include <utility>
 
 namespace axisc::comparison {
@@ -27,17 +25,10 @@ struct ComparedMove {
   }
 };
 
-using Digest = std::pair<std::size_t, std::size_t>;
-
-Digest digest_of(std::vector<motion::Point> const& plan) {
-  std::string_view const bytes(reinterpret_cast<char const*>(plan.data()), plan.size() * sizeof(plan[0]));
-  return {plan.size(), std::hash<std::string_view>{}(bytes)};
-}
-
 ComparedMove compared(Move const& move, motion::PathDynamics const& dynamics, RecordedPath const& path,
                       Stretch const& moving, Stretch const& free) {
   ComparedMove found{.keys = acting_keys(move, dynamics), .deviations = {}};
-  std::map<Digest, Deviation> known;  // many readings plan alike
+  std::map<std::vector<motion::Point>, Deviation> known;  // many readings plan alike
   for (auto const& combination : all_combinations()) {
     auto const readings = only(combination, found.keys);
     if (found.deviations.contains(readings)) continue;
@@ -46,7 +37,7 @@ ComparedMove compared(Move const& move, motion::PathDynamics const& dynamics, Re
       found.deviations[readings] = {.largest = unlimited, .excess = unlimited};
       continue;
     }
-    auto const [place, is_new] = known.try_emplace(digest_of(*plan));
+    auto const [place, is_new] = known.try_emplace(*plan);
     if (is_new) place->second = deviation_of(*plan, path, moving, free);
     found.deviations[readings] = place->second;
   }

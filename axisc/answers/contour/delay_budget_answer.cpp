@@ -2,10 +2,11 @@
 
 #include "axisc/answers/labels.hpp"
 #include "validator/views/delay_budget.hpp"
+#include "validator/views/drive.hpp"
 #include "validator/views/filter_view.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -31,21 +32,37 @@ constexpr Sentence lag{"lag of the position controller", "Nachlauf des Lageregle
 constexpr Sentence nothing{"{axis}: nothing delays the position", "{axis}: nichts verzögert die Position"};
 constexpr Sentence unknown{"{axis}: unknown, because a filter cannot be designed",
                            "{axis}: unbekannt, weil ein Filter nicht berechnet werden kann"};
-constexpr Sentence sums{
+constexpr Sentence early{
     "position {position}, velocity feedforward {velocity}: the velocity arrives {lead} before its position",
-    "Position {position}, Geschwindigkeitsvorsteuerung {velocity}: Die Geschwindigkeit kommt {lead} vor "
-    "ihrer "
-    "Position an"};
-constexpr Sentence sum_alone{"position {position}; nothing is fed forward",
-                             "Position {position}; es wird nichts vorgesteuert"};
-constexpr Sentence lead_deviation{"accelerating at the limit, the axis is {deviation} ahead",
-                                  "beim Beschleunigen an der Grenze ist die Achse {deviation} voraus"};
+    "Position {position}, Geschwindigkeitsvorsteuerung {velocity}: Die Geschwindigkeit kommt {lead} früher "
+    "an als ihre Position"};
+constexpr Sentence late{
+    "position {position}, velocity feedforward {velocity}: the velocity arrives {lead} after its position",
+    "Position {position}, Geschwindigkeitsvorsteuerung {velocity}: Die Geschwindigkeit kommt {lead} später "
+    "an als ihre Position"};
+constexpr Sentence together{
+    "position {position}, velocity feedforward {velocity}: both arrive together",
+    "Position {position}, Geschwindigkeitsvorsteuerung {velocity}: Beide kommen gleichzeitig an"};
+constexpr Sentence of_it_lag{"of the position {lag} are the lag, which arises in the controller",
+                             "von der Position sind {lag} Nachlauf, der erst im Regler entsteht"};
+constexpr Sentence sum_alone{"position {position}; the velocity is not fed forward",
+                             "Position {position}; die Geschwindigkeit wird nicht vorgesteuert"};
+constexpr Sentence ahead{"accelerating at the limit, the axis is {deviation} ahead",
+                         "beim Beschleunigen an der Grenze eilt die Achse {deviation} voraus"};
+constexpr Sentence behind{"accelerating at the limit, the axis is {deviation} behind",
+                          "beim Beschleunigen an der Grenze eilt die Achse {deviation} nach"};
+constexpr Sentence no_gain{
+    "no list gives Kv (P-AXIS-00099): the lag of a position controller in the NC is not in these sums",
+    "keine Liste gibt Kv (P-AXIS-00099) an: der Nachlauf eines Lagereglers in der NC ist nicht enthalten"};
+constexpr Sentence channel_unknown{"{channel}: unknown, because the delay of {axis} is",
+                                   "{channel}: unbekannt, weil es die Verzögerung von {axis} ist"};
+constexpr Sentence apart_alone{"{channel}: {slow} and {fast} are {time} apart",
+                               "{channel}: {slow} und {fast} liegen {time} auseinander"};
 constexpr Sentence in_step{"{channel}: the axes are in step", "{channel}: die Achsen laufen gleich"};
 constexpr Sentence apart{
     "{channel}: {slow} and {fast} are {time} apart, at {feed} up to {deviation} on a line at 45° or a circle",
     "{channel}: {slow} und {fast} liegen {time} auseinander, bei {feed} bis zu {deviation} auf einer Geraden "
-    "unter "
-    "45° oder einem Kreis"};
+    "unter 45° oder einem Kreis"};
 constexpr Sentence of_drive{
     "The drives' own delays are in no list and not in these sums.",
     "Die eigenen Verzögerungen der Antriebe stehen in keiner Liste und sind nicht enthalten."};
@@ -63,6 +80,7 @@ using validator::FeedforwardState;
 namespace {
 
 constexpr double mm_per_min_of_um_per_s = 0.06;
+constexpr double rounding = 1e-9;  ///< cycles: sums of the same delays in another order
 
 Quantity cycles(double value) {
   return rounded(value, Unit::cycle, 4);
@@ -70,11 +88,12 @@ Quantity cycles(double value) {
 
 class BudgetBlocks {
  public:
-  BudgetBlocks(validator::LoadedMachine const& machine, SourceSet const& sources, std::optional<double> feed)
-      : machine_(machine), sources_(sources), feed_(feed) {}
+  BudgetBlocks(validator::LoadedMachine const& machine, design::CycleTime cycle_time,
+               SourceSet const& sources, std::optional<double> feed)
+      : machine_(machine), sources_(sources), feed_(feed), cycle_time_(cycle_time) {}
 
   Section section() {
-    Section result{.key = "delay_budget", .title = Words(says::budget), .blocks = {}};
+    Section result{.key = "delay_budget", .title = {}, .blocks = {}};
     Sections axes{.key = "axes", .items = {}};
     for (auto const& axis : machine_.axes) add_axis(axis, axes);
     result.blocks.emplace_back(std::move(axes));
@@ -123,7 +142,7 @@ class BudgetBlocks {
     std::vector<Field> sums{data("position_cycles", cycles(budget.position)),
                             data("position_ms", time(budget.position))};
     auto deviation = std::optional<double>{};
-    if (budget.feeds_forward) {
+    if (budget.feeds_velocity) {
       sums.push_back(data("velocity_cycles", cycles(budget.velocity)));
       sums.push_back(data("lead_cycles", cycles(budget.lead())));
       sums.push_back(data("lead_ms", time(budget.lead())));
@@ -132,19 +151,28 @@ class BudgetBlocks {
     }
     section.blocks.emplace_back(Facts{std::move(sums)});
     if (!budget.items.empty()) section.blocks.emplace_back(Paragraph{sums_of(budget)});
-    if (deviation && budget.lead() != 0) {
-      section.blocks.emplace_back(
-          Paragraph{Words(says::lead_deviation, {{"deviation", rounded(*deviation, Unit::micrometre, 4)}})});
+    if (budget.lag != 0 && budget.feeds_velocity) {
+      section.blocks.emplace_back(Paragraph{Words(says::of_it_lag, {{"lag", time(budget.lag)}})});
     }
+    if (deviation && std::abs(budget.lead()) > rounding) {
+      section.blocks.emplace_back(
+          Paragraph{Words(*deviation > 0 ? says::ahead : says::behind,
+                          {{"deviation", rounded(std::abs(*deviation), Unit::micrometre, 4)}})});
+    }
+    bool const may_lag = validator::position_controller(axis) != machine::PositionController::drive;
+    if (may_lag && !axis.merged.values.at("getriebe[].kv").set())
+      section.blocks.emplace_back(Paragraph{says::no_gain});
     axes.items.push_back(std::move(section));
   }
 
   [[nodiscard]] Words sums_of(DelayBudget const& budget) const {
-    if (!budget.feeds_forward) return {says::sum_alone, {{"position", time(budget.position)}}};
-    return {says::sums,
-            {{"position", time(budget.position)},
-             {"velocity", time(budget.velocity)},
-             {"lead", time(budget.lead())}}};
+    if (!budget.feeds_velocity) return {says::sum_alone, {{"position", time(budget.position)}}};
+    bool const is_together = std::abs(budget.lead()) <= rounding;
+    SentenceRef const ahead_or_behind = budget.lead() > 0 ? says::early : says::late;
+    SentenceRef const text = is_together ? SentenceRef(says::together) : ahead_or_behind;
+    std::vector<NamedValue> values{{"position", time(budget.position)}, {"velocity", time(budget.velocity)}};
+    if (!is_together) values.push_back({"lead", time(std::abs(budget.lead()))});
+    return {text, std::move(values)};
   }
 
   [[nodiscard]] static Value name_of(DelayItem const& item) {
@@ -183,60 +211,68 @@ class BudgetBlocks {
 
   /// The largest difference between two axes of a channel, at the start of programs.
   void add_channel(validator::LoadedGroup const& group, Sections& channels) const {
-    validator::LoadedAxis const* slow = nullptr;
-    validator::LoadedAxis const* fast = nullptr;
-    double most = -std::numeric_limits<double>::infinity(), least = -most;
-    double limit = std::numeric_limits<double>::infinity();
+    if (group.axes.size() < 2) return;
+    Section section{.key = {}, .title = {}, .blocks = {}, .identity = {data("channel", group.name)}};
+    Words const channel(labels::one_channel, {{"name", group.name}});
+    struct Delayed {
+      std::string name;
+      double cycles = 0;
+    };
+    std::vector<Delayed> delayed;
     for (auto const index : group.axes) {
       auto const& axis = machine_.axes[index];
       auto const budget = validator::delay_budget(axis, cycle_time_);
-      if (!budget) return;
-      if (budget->position > most) std::tie(most, slow) = std::pair(budget->position, &axis);
-      if (budget->position < least) std::tie(least, fast) = std::pair(budget->position, &axis);
-      auto const& velocity = axis.merged.values.at("getriebe[].dynamik.vb_max");
-      if (!velocity.unusable) limit = std::min(limit, velocity.value.number);
+      if (!budget) {
+        section.blocks.emplace_back(
+            Paragraph{Words(says::channel_unknown, {{"channel", channel}, {"axis", axis.name}})});
+        channels.items.push_back(std::move(section));
+        return;
+      }
+      delayed.push_back({axis.name, budget->position});
     }
-    if (group.axes.size() < 2) return;
-    double const feed = feed_.value_or(limit * mm_per_min_of_um_per_s);
-    double const deviation =
-        validator::deviation_of_mismatch(feed / mm_per_min_of_um_per_s, most - least, cycle_time_);
-    Section section{.key = {}, .title = {}, .blocks = {}, .identity = {data("channel", group.name)}};
-    section.blocks.emplace_back(Facts{
-        {data("mismatch_cycles", cycles(most - least)), data("mismatch_ms", time(most - least)),
-         data("feed_mm_per_min", exact(feed)), data("deviation_um", rounded(deviation, Unit::none, 4))}});
-    Words const channel(labels::one_channel, {{"name", group.name}});
-    section.blocks.emplace_back(Paragraph{
-        most - least == 0 ? Words(says::in_step, {{"channel", channel}})
-                          : Words(says::apart, {{"channel", channel},
-                                                {"slow", slow->name},
-                                                {"fast", fast->name},
-                                                {"time", time(most - least)},
-                                                {"feed", rounded(feed, Unit::millimetre_per_minute, 6)},
-                                                {"deviation", rounded(deviation, Unit::micrometre, 4)}})});
+    auto const less = [](Delayed const& left, Delayed const& right) { return left.cycles < right.cycles; };
+    auto const [fast, slow] = std::minmax_element(delayed.begin(), delayed.end(), less);
+    double const mismatch = slow->cycles - fast->cycles;
+    auto const limit = validator::lowest_velocity_limit(machine_, group);
+    auto const feed = feed_ ? feed_ : limit ? std::optional(*limit * mm_per_min_of_um_per_s) : std::nullopt;
+    std::vector<Field> facts{data("mismatch_cycles", cycles(mismatch)), data("mismatch_ms", time(mismatch))};
+    if (mismatch <= rounding) {
+      section.blocks.emplace_back(Paragraph{Words(says::in_step, {{"channel", channel}})});
+    } else if (!feed) {
+      section.blocks.emplace_back(Paragraph{Words(
+          says::apart_alone,
+          {{"channel", channel}, {"slow", slow->name}, {"fast", fast->name}, {"time", time(mismatch)}})});
+    } else {
+      auto const deviation =
+          rounded(validator::deviation_of_mismatch(*feed / mm_per_min_of_um_per_s, mismatch, cycle_time_),
+                  Unit::micrometre, 4);
+      facts.push_back(data("feed_mm_per_min", exact(*feed)));
+      facts.push_back(data("deviation_um", deviation));
+      section.blocks.emplace_back(
+          Paragraph{Words(says::apart, {{"channel", channel},
+                                        {"slow", slow->name},
+                                        {"fast", fast->name},
+                                        {"time", time(mismatch)},
+                                        {"feed", rounded(*feed, Unit::millimetre_per_minute, 6)},
+                                        {"deviation", deviation}})});
+    }
+    section.blocks.emplace_back(Facts{std::move(facts)});
     channels.items.push_back(std::move(section));
   }
 
   validator::LoadedMachine const& machine_;
   SourceSet const& sources_;
   std::optional<double> feed_;
-  design::CycleTime cycle_time_ = machine_.cycle_time.value_or(design::CycleTime{});
+  design::CycleTime cycle_time_;
 };
 
 }  // namespace
 
-Section delay_budget_section(validator::LoadedMachine const& machine, SourceSet const& sources,
-                             std::optional<double> feed) {
-  return BudgetBlocks(machine, sources, feed).section();
-}
-
-Document delay_budget_answer(validator::LoadedMachine const& machine, SourceSet const& sources,
-                             std::optional<double> feed) {
-  auto section = delay_budget_section(machine, sources, feed);
+Document delay_budget_answer(validator::LoadedMachine const& machine, design::CycleTime cycle_time,
+                             SourceSet const& sources, std::optional<double> feed) {
   Document document{.version = 2, .title = says::budget, .blocks = {}, .csv_table = "items"};
-  document.blocks.emplace_back(
-      Facts{{data("cycle_time_us", exact(machine.cycle_time.value_or(design::CycleTime{}).microseconds()))}});
-  section.title.reset();
-  document.blocks.emplace_back(std::move(section));
+  document.blocks.emplace_back(Facts{{data("cycle_time_us", exact(cycle_time.microseconds()))}});
+  document.blocks.emplace_back(BudgetBlocks(machine, cycle_time, sources, feed).section());
   return document;
 }
 

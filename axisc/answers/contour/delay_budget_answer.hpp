@@ -12,11 +12,7 @@ namespace axisc {
 /// `feed` in mm/min; none: the lowest velocity limit (P-AXIS-00212) of each channel. An axis of which a
 /// filter cannot be designed has no budget.
 [[nodiscard]] presentation::Document delay_budget_answer(validator::LoadedMachine const& machine,
-                                                         SourceSet const& sources,
-                                                         std::optional<double> feed);
-
-/// The same without a title.
-[[nodiscard]] presentation::Section delay_budget_section(validator::LoadedMachine const& machine,
+                                                         design::CycleTime cycle_time,
                                                          SourceSet const& sources,
                                                          std::optional<double> feed);
 

@@ -26,6 +26,11 @@ constexpr Sentence by_weight{"that is {weight} ‰ of a T by P-AXIS-00013 (`a_tr
 constexpr Sentence by_jerk{
     "P-AXIS-00013 (`a_trans_weight`) is 0, which gives a T²/tr, what the jerk does in a cycle",
     "P-AXIS-00013 (`a_trans_weight`) ist 0, das ergibt a T²/tr, was der Ruck in einem Zyklus bewirkt"};
+constexpr Sentence by_missing_jerk{
+    "P-CHAN-00117 is 2 and P-AXIS-00339 (`j_trans_c0`) is 0, which gives a T²/tr, what the jerk does in a "
+    "cycle",
+    "P-CHAN-00117 ist 2 und P-AXIS-00339 (`j_trans_c0`) ist 0, das ergibt a T²/tr, was der Ruck in einem "
+    "Zyklus bewirkt"};
 constexpr Sentence by_curve_weight{
     "by P-AXIS-00154 (`r_trans_weight`), which P-AXIS-00013 follows in this reading",
     "nach P-AXIS-00154 (`r_trans_weight`), dem P-AXIS-00013 in dieser Lesart folgt"};
@@ -34,6 +39,9 @@ constexpr Sentence by_corner_jerk{"by P-AXIS-00339 (`j_trans_c0`), as P-CHAN-001
 constexpr Sentence nearly_stops{
     "the path nearly stops there, so that the filters bend the corner by {passed} instead of {full}",
     "die Bahn hält dort fast an; die Filter verbiegen die Ecke darum um {passed} statt {full}"};
+constexpr Sentence slower_line{
+    "the control brakes only to the velocity that the second line allows",
+    "die Steuerung bremst nur auf die Geschwindigkeit, die die zweite Gerade zulässt"};
 constexpr Sentence at_full_feed{"the control passes this corner without braking",
                                 "diese Ecke fährt die Steuerung, ohne zu bremsen"};
 constexpr Sentence too_long{
@@ -65,7 +73,8 @@ Words reason_of(motion::PathDynamics const& dynamics, std::size_t axis) {
                              dynamics.readings.weights == machine::TransitionReading::a_follows_r &&
                              own.curvature_transition_weight > weight;
   if (follows_curve) return says::by_curve_weight;
-  if (weighs && weight > 0) return {says::by_weight, {{"weight", exact(weight)}}};
+  if (!weighs) return says::by_missing_jerk;
+  if (weight > 0) return {says::by_weight, {{"weight", exact(weight)}}};
   return says::by_jerk;
 }
 
@@ -123,7 +132,7 @@ std::vector<Block> passage_blocks(GroupContour const& group, ContourRequest cons
   auto const step = table.rows.front().back();
   section.blocks.emplace_back(std::move(table));
   if (!passage.slowed_by) {
-    tell(says::at_full_feed);
+    tell(passage.before.ramp.empty() ? SentenceRef(says::at_full_feed) : says::slower_line);
   } else {
     tell({says::slowed,
           {{"axis", group.axes[*passage.slowed_by]},

@@ -15,12 +15,10 @@ constexpr Sentence older_headline{
 constexpr Sentence limit{"{p_axis}: 0 ≤ {parameter} < 6 T = {limit}",
                          "{p_axis}: 0 ≤ {parameter} < 6 T = {limit}"};
 constexpr Sentence older_limit{
-    "the manual of the parameter says < 6 T, the pages of the messages and older manuals < T; from which "
-    "build on is "
-    "not documented",
+    "the parameter's page says < 6 T, the pages of the messages and older manuals < T; the build that "
+    "changed it is not documented",
     "die Beschreibung des Parameters nennt < 6 T, die der Meldungen und ältere Handbücher < T; ab welcher "
-    "Version ist "
-    "nicht dokumentiert"};
+    "Version ist nicht dokumentiert"};
 constexpr Sentence reaction{"it takes 0: no delay", "sie setzt 0 ein: keine Verzögerung"};
 
 }  // namespace axisc::validator::says
@@ -45,10 +43,10 @@ void check(EffectiveValue const& time, std::string_view refusal, AxisContext con
                              {{"p_axis", parameter_number(time)},
                               {"parameter", parameter_name(time)},
                               {"limit", microseconds(most_cycles * axis.cycle_time.microseconds())}}});
+    react(finding, refusal, {says::reaction, {}}, "0");
   } else {
     finding.notes.push_back({says::older_limit, {}});
   }
-  react(finding, refusal, {says::reaction, {}}, "0");
 }
 
 void feedforward_delay_too_long(AxisContext const& axis, Report& report) {

@@ -14,6 +14,9 @@ constexpr Sentence empty{
     "feedforward is active from the start, but P-AXIS-00223 names nothing to feed forward",
     "die Vorsteuerung ist von Anfang an aktiv, aber P-AXIS-00223 nennt nichts, was vorzusteuern ist"};
 
+constexpr Sentence reaction{"what it continues with is not documented",
+                            "womit sie weiterarbeitet, ist nicht dokumentiert"};
+
 }  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
@@ -34,11 +37,11 @@ void feedforward_contradiction(AxisContext const& axis, Report& report) {
   if (quantities.unusable) return;
   if (is_on(disabled) && quantities.value.flag()) {
     Finding& finding = report.add(disabled, {says::disabled, {{"value", symbol_word(quantities)}}});
-    finding.control.emplace().message = disabled_with_quantities;
+    react(finding, disabled_with_quantities, {says::reaction});
   }
   if (is_on(active) && feedforward.is_none()) {
     Finding& finding = report.add(active, {says::empty, {}});
-    finding.control.emplace().message = active_without_quantities;
+    react(finding, active_without_quantities, {says::reaction});
   }
 }
 

@@ -14,9 +14,11 @@ constexpr Sentence wrong_drive{
 constexpr Sentence too_short{
     "the time constant of the filter that balances feedforward is shorter than an NC cycle",
     "die Zeitkonstante des Filters, der die Vorsteuerung ausgleicht, ist kürzer als ein NC-Zyklus"};
-constexpr Sentence limit_unknown{
-    "the control calls it too small below a limit that is not documented",
-    "die Steuerung meldet unterhalb einer Grenze, die nicht dokumentiert ist, dass sie zu klein sei"};
+constexpr Sentence limit_unknown{"the control reports it as too small; its limit is not documented",
+                                 "die Steuerung meldet sie als zu klein; die Grenze ist nicht dokumentiert"};
+
+constexpr Sentence reaction{"what it continues with is not documented",
+                            "womit sie weiterarbeitet, ist nicht dokumentiert"};
 
 }  // namespace axisc::validator::says
 
@@ -25,13 +27,14 @@ namespace {
 
 constexpr std::string_view wrong_drive_number = "110486";
 constexpr std::string_view too_short_number = "70355";
+
 void balancing_filter(AxisContext const& axis, Report& report) {
   EffectiveValue const& time = axis.values.at("vorsteuer.timeconst_sym_filter");
   if (time.unusable || !(time.value.number > 0)) return;
   machine::DriveType const* const drive = stated_drive(axis.machine.axes[axis.index]);
   if (drive != nullptr && drive->number != profidrive) {
     Finding& finding = report.add(time, {says::wrong_drive, {{"drive", drive_name(*drive)}}});
-    finding.control.emplace().message = wrong_drive_number;
+    react(finding, wrong_drive_number, {says::reaction});
     return;
   }
   if (axis.cycle_time.cycles({time.value.number}) >= 1) return;
@@ -39,7 +42,7 @@ void balancing_filter(AxisContext const& axis, Report& report) {
   finding.severity = Severity::warning;
   finding.label = time_in_cycles(time.value.number, axis.cycle_time);
   finding.notes.push_back({says::limit_unknown, {}});
-  finding.control.emplace().message = too_short_number;
+  react(finding, too_short_number, {says::reaction});
 }
 
 }  // namespace

@@ -2,12 +2,10 @@
 
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/group_delays.hpp"
-#include "validator/rules/sentences.hpp"
 #include "validator/views/delay_budget.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace axisc::validator::says {
 
@@ -15,13 +13,15 @@ constexpr Sentence headline{
     "the axes of the channel are out of step by {cycles} cycles ({milliseconds}): feedforward differs",
     "die Achsen des Kanals laufen um {cycles} Zyklen ({milliseconds}) auseinander: die Vorsteuerung ist "
     "verschieden"};
-constexpr Sentence axis_part{"axis \"{axis}\": {cycles} cycles beside its filters",
-                             "Achse „{axis}“: {cycles} Zyklen neben ihren Filtern"};
+constexpr Sentence axis_part{"axis \"{axis}\": {cycles} cycles in addition to its filters",
+                             "Achse „{axis}“: {cycles} Zyklen zusätzlich zu ihren Filtern"};
 constexpr Sentence deviation{
     "on a line at 45° or a circle at {feed} mm/min that is up to {deviation} µm",
     "auf einer Geraden unter 45° oder einem Kreis mit {feed} mm/min sind das bis zu {deviation} µm"};
-constexpr Sentence reading{"that the 5 cycles count for each axis alone is a reading",
-                           "dass die 5 Zyklen für jede Achse einzeln gelten, ist eine Lesart"};
+constexpr Sentence reading{"that the 5 cycles count for each axis is a reading, not documented",
+                           "dass die 5 Zyklen je Achse gelten, ist eine Lesart, nicht dokumentiert"};
+constexpr Sentence help{"use the same feedforward in all axes of the channel",
+                        "in allen Achsen des Kanals dieselbe Vorsteuerung verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -32,7 +32,7 @@ constexpr double mm_per_min_of_um_per_s = 0.06;
 
 struct Part {
   LoadedAxis const* axis;
-  double cycles = 0;  ///< of the position, without filters and lag
+  double cycles = 0;  ///< of the position, on the way to the drive behind the filters
 };
 
 std::optional<Part> part_of(LoadedAxis const& axis, design::CycleTime cycle_time) {
@@ -60,16 +60,6 @@ EffectiveValue const* line_about_feedforward(LoadedAxis const& axis) {
   return last;
 }
 
-double lowest_feed(GroupContext const& context) {
-  double lowest = INFINITY;
-  for (std::size_t const index : context.group.axes) {
-    EffectiveValue const& limit =
-        context.whole.machine.axes[index].merged.values.at("getriebe[].dynamik.vb_max");
-    if (!limit.unusable) lowest = std::min(lowest, limit.value.number);
-  }
-  return lowest;
-}
-
 void feedforward_delay_differs(GroupContext const& context, Report& report) {
   design::CycleTime const cycle_time = context.whole.cycle_time;
   // Where filters differ, AX4011 reports the channel.
@@ -90,18 +80,18 @@ void feedforward_delay_differs(GroupContext const& context, Report& report) {
   Finding& finding =
       report.add(*line, {says::headline,
                          {{"cycles", cycles_text(difference)},
-                          {"milliseconds", milliseconds(difference * cycle_time.microseconds() / 1e3)}}});
+                          {"milliseconds", milliseconds(difference * cycle_time.microseconds())}}});
   for (Part const& part : parts) {
     finding.notes.push_back(
         {says::axis_part, {{"axis", part.axis->name}, {"cycles", cycles_text(part.cycles)}}});
   }
-  if (double const feed = lowest_feed(context); std::isfinite(feed)) {
+  if (auto const feed = lowest_velocity_limit(context.whole.machine, context.group)) {
     finding.notes.push_back({says::deviation,
-                             {{"feed", number(feed * mm_per_min_of_um_per_s)},
-                              {"deviation", number(deviation_of_mismatch(feed, difference, cycle_time))}}});
+                             {{"feed", number(*feed * mm_per_min_of_um_per_s)},
+                              {"deviation", number(deviation_of_mismatch(*feed, difference, cycle_time))}}});
   }
   finding.notes.push_back({says::reading, {}});
-  finding.help.push_back({says::group_help_same, {}});
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace
@@ -110,7 +100,8 @@ extern constinit Rule const ax4024{
     .severity = Severity::warning,
     .parameters =
         "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.global_disable "
-        "vorsteuer.feedforward_without_delay vorsteuer.timeconst_sym_filter kenngr.antr_typ",
+        "vorsteuer.feedforward_without_delay vorsteuer.timeconst_sym_filter kenngr.antr_typ "
+        "getriebe[].dynamik.vb_max",
     .needs = Needs::cycle_time,
     .check = feedforward_delay_differs,
 };

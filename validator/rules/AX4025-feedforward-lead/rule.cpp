@@ -13,12 +13,12 @@ constexpr Sentence early{
     "die vorgesteuerte Geschwindigkeit eilt ihrer Position um {cycles} Zyklen ({milliseconds}) voraus"};
 constexpr Sentence late{
     "the velocity that is fed forward lags its position by {cycles} cycles ({milliseconds})",
-    "die vorgesteuerte Geschwindigkeit hinkt ihrer Position um {cycles} Zyklen ({milliseconds}) nach"};
-constexpr Sentence item{"`{parameter}` ({p_axis}) is {cycles} cycles of it",
+    "die vorgesteuerte Geschwindigkeit eilt ihrer Position um {cycles} Zyklen ({milliseconds}) nach"};
+constexpr Sentence item{"`{parameter}` ({p_axis}) accounts for {cycles} cycles",
                         "`{parameter}` ({p_axis}) macht davon {cycles} Zyklen aus"};
 constexpr Sentence default_item{
-    "`{parameter}` ({p_axis}), not in the lists, is {cycles} cycles of it by default",
-    "`{parameter}` ({p_axis}), das in keiner Liste steht, macht davon als Standardwert {cycles} Zyklen aus"};
+    "`{parameter}` ({p_axis}), which is in no list, accounts for {cycles} cycles by default",
+    "`{parameter}` ({p_axis}), das in keiner Liste steht, macht als Standardwert {cycles} Zyklen aus"};
 constexpr Sentence deviation{"at the acceleration limit the axis is {deviation} µm off",
                              "an der Beschleunigungsgrenze weicht die Achse um {deviation} µm ab"};
 
@@ -34,14 +34,13 @@ void feedforward_lead(AxisContext const& context, Report& report) {
   auto const budget = delay_budget(axis, context.cycle_time);
   if (!budget || std::abs(budget->lead()) < noticeable_delay) return;
   double const cycles = std::abs(budget->lead());
-  Finding& finding = report.add(
-      active, {budget->lead() > 0 ? says::early : says::late,
-               {{"cycles", cycles_text(cycles)},
-                {"milliseconds", milliseconds(cycles * context.cycle_time.microseconds() / 1e3)}}});
+  Finding& finding =
+      report.add(active, {budget->lead() > 0 ? says::early : says::late,
+                          {{"cycles", cycles_text(cycles)},
+                           {"milliseconds", milliseconds(cycles * context.cycle_time.microseconds())}}});
   for (DelayItem const& item : budget->items) {
-    double const share = item.position - item.velocity;
-    bool const is_own_lag = item.kind == DelayKind::lag;
-    if (share == 0 || is_own_lag || item.cause == nullptr) continue;
+    double const share = (item.position - item.velocity) * (budget->lead() > 0 ? 1 : -1);
+    if (share == 0 || item.kind == DelayKind::lag) continue;
     finding.notes.push_back({item.cause->set() ? says::item : says::default_item,
                              {{"parameter", parameter_name(*item.cause)},
                               {"p_axis", parameter_number(*item.cause)},
@@ -57,8 +56,10 @@ void feedforward_lead(AxisContext const& context, Report& report) {
 extern constinit Rule const ax4025{
     .severity = Severity::note,
     .parameters =
-        "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.shift_time vorsteuer.velocity_delay_time "
-        "vorsteuer.timeconst_sym_filter kenngr.delay_filter_only_position kenngr.antr_typ",
+        "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.global_disable "
+        "vorsteuer.feedforward_without_delay vorsteuer.shift_time vorsteuer.velocity_delay_time "
+        "vorsteuer.timeconst_sym_filter kenngr.delay_filter_only_position kenngr.antr_typ getriebe[].kv "
+        "getriebe[].dynamik.a_max",
     .needs = Needs::cycle_time,
     .check = feedforward_lead,
 };

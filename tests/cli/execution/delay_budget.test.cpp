@@ -1,0 +1,85 @@
+// The worked examples of the delay budget, through the program.
+#include "cli/program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+using namespace axisc::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string const pt1 =
+    "filter[0].type PT1\nfilter[0].enable 1\nfilter[0].order 1\nfilter[0].time_constant 4000\n";
+
+/// X feeds its velocity forward, Y has the same filters and does not.
+Surroundings machine(TemporaryFolder const& folder, std::string const& drive, std::string const& more = {}) {
+  std::string const both = "kenngr.antr_typ " + drive + "\ngetriebe[0].dynamik.vb_max 66667\n" + pt1;
+  folder.write("x.lis", both + "vorsteuer.vorsteuerung ADD_VEL\nvorsteuer.default_active 1\n" + more);
+  folder.write("y.lis", "kopf.achs_nr 2\n" + both);
+  folder.write("m.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
+      {"name": "Y", "list": "y.lis"}], "groups": [{"name": "mill", "axes": ["X", "Y"]}]})");
+  return in_folder(folder.path());
+}
+
+Outcome budget(Surroundings const& there, std::vector<std::string> const& more) {
+  std::vector<std::string> arguments{"contour", "m.json", "--budget"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  auto outcome = run_axisc(arguments, there);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("P, V and lead of a PROFIdrive axis, and what the difference between two axes costs") {
+  TemporaryFolder const folder;
+  auto const there = machine(folder, "3");
+  auto const answer =
+      nlohmann::json::parse(budget(there, {"--feed", "4000", "--format", "json"}).out)["delay_budget"];
+  auto const& x = answer["axes"][0];
+  CHECK(x["axis"] == "X");
+  CHECK(x["position_ms"].get<double>() == Approx(8.98).margin(0.005));
+  CHECK(x["velocity_cycles"].get<double>() == Approx(5.98).margin(0.005));
+  CHECK(x["lead_cycles"].get<double>() == Approx(3));
+  auto const& y = answer["axes"][1];
+  CHECK(y["position_ms"].get<double>() == Approx(3.98).margin(0.005));
+  CHECK_FALSE(y.contains("lead_cycles"));
+  // 5 ms apart at 4000 mm/min.
+  CHECK(answer["channels"][0]["deviation_um"].get<double>() == Approx(166.67).margin(0.005));
+  auto const text = budget(there, {"--feed", "4000"}).out;
+  CHECK_THAT(text, Contains("5 ms apart") && Contains("166.7 µm") && Contains("before its position") &&
+                       Contains("P-AXIS-00165"));
+  CHECK_THAT(budget(there, {"--lang", "de"}).out, Contains("Verzögerungsbilanz") && Contains("Lesart"));
+  CHECK_THAT(budget(there, {"--format", "csv"}).out,
+             Contains("X,start,vorsteuer.shift_time,0,-3,-3,-3,P-AXIS-00165,default,documented"));
+}
+
+TEST_CASE("a velocity that arrives late, and one that arrives with its position") {
+  TemporaryFolder const folder;
+  auto const late = machine(folder, "2", "vorsteuer.velocity_delay_time 1500\n");
+  CHECK_THAT(budget(late, {}).out, Contains("arrives 1.5 ms after its"));
+  auto const together = machine(folder, "2");
+  CHECK_THAT(budget(together, {}).out, Contains("both arrive together"));
+}
+
+TEST_CASE("lint states the lead and the difference in milliseconds and µm") {
+  TemporaryFolder const folder;
+  auto const there = machine(folder, "3");
+  auto const found = run_axisc({"lint", "m.json", "--pedantic"}, there);
+  CHECK_THAT(found.out, Contains("AX4025") && Contains("leads its position by 3 cycles (3 ms)") &&
+                            Contains("accounts for 3 cycles by default"));
+  CHECK_THAT(found.out, Contains("AX4024") && Contains("by 5 cycles (5 ms)") && Contains("166.7"));
+}
+
+TEST_CASE("options of predictions mean nothing to the budget") {
+  TemporaryFolder const folder;
+  auto const there = machine(folder, "3");
+  auto const outcome = run_axisc({"contour", "m.json", "--budget", "--order", "20"}, there);
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("--order") && Contains("--budget"));
+}
