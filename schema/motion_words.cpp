@@ -75,8 +75,8 @@ constexpr Sentence no_rounding{"Ends polynomial contouring. This is the initial 
                                "Beendet das Polynomüberschleifen. Das ist der Grundzustand."};
 constexpr Sentence slope{
     "How acceleration comes and goes: at once (STEP), in ramps of constant jerk (TRAPEZ), as sin² (SIN2), or "
-    "across blocks (HSC: a reading, not documented). DEFAULT is P-CHAN-00071. Behind a TYPE weights are of "
-    "all values. Any other TYPE is message 120020.",
+    "across blocks (HSC: a reading). DEFAULT is P-CHAN-00071. After a TYPE weights apply to all values. Any "
+    "other TYPE: message 120020.",
     "Wie Beschleunigung kommt und geht: sprungförmig (STEP), in Rampen konstanten Rucks (TRAPEZ), als sin² "
     "(SIN2), satzübergreifend (HSC: Lesart). DEFAULT: P-CHAN-00071. Nach TYPE gelten Gewichte für alles. "
     "Anderer TYPE: Meldung 120020."};

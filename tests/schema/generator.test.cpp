@@ -81,6 +81,8 @@ TEST_CASE("what is no JSON") {
 }
 
 TEST_CASE("what contradicts itself") {
+  refuses(document(""), "parameters");
+  refuses(document(R"({"name": "a"})"), "type");
   refuses(document(R"({"name": "a", "type": "UNS08"}, {"name": "a", "type": "UNS08"})"),
           "a: name appears twice");
   refuses(document(R"({"name": "a[]", "type": "UNS08"})"), "array sizes");

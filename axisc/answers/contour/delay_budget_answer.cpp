@@ -234,26 +234,26 @@ class BudgetBlocks {
     auto const [fast, slow] = std::minmax_element(delayed.begin(), delayed.end(), less);
     double const mismatch = slow->cycles - fast->cycles;
     auto const limit = validator::lowest_velocity_limit(machine_, group);
-    auto const feed = feed_ ? feed_ : limit ? std::optional(*limit * mm_per_min_of_um_per_s) : std::nullopt;
+    double const feed = feed_.value_or(limit.value_or(0) * mm_per_min_of_um_per_s);
     std::vector<Field> facts{data("mismatch_cycles", cycles(mismatch)), data("mismatch_ms", time(mismatch))};
     if (mismatch <= rounding) {
       section.blocks.emplace_back(Paragraph{Words(says::in_step, {{"channel", channel}})});
-    } else if (!feed) {
+    } else if (feed <= 0) {
       section.blocks.emplace_back(Paragraph{Words(
           says::apart_alone,
           {{"channel", channel}, {"slow", slow->name}, {"fast", fast->name}, {"time", time(mismatch)}})});
     } else {
       auto const deviation =
-          rounded(validator::deviation_of_mismatch(*feed / mm_per_min_of_um_per_s, mismatch, cycle_time_),
+          rounded(validator::deviation_of_mismatch(feed / mm_per_min_of_um_per_s, mismatch, cycle_time_),
                   Unit::micrometre, 4);
-      facts.push_back(data("feed_mm_per_min", exact(*feed)));
+      facts.push_back(data("feed_mm_per_min", exact(feed)));
       facts.push_back(data("deviation_um", deviation));
       section.blocks.emplace_back(
           Paragraph{Words(says::apart, {{"channel", channel},
                                         {"slow", slow->name},
                                         {"fast", fast->name},
                                         {"time", time(mismatch)},
-                                        {"feed", rounded(*feed, Unit::millimetre_per_minute, 6)},
+                                        {"feed", rounded(feed, Unit::millimetre_per_minute, 6)},
                                         {"deviation", deviation}})});
     }
     section.blocks.emplace_back(Facts{std::move(facts)});
