@@ -29,7 +29,7 @@ namespace {
 bool is_number(std::string_view cell) {
   if (cell == "-") return true;
   if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
-  return !cell.empty() && cell.find_first_not_of("0123456789.e+-") == std::string_view::npos &&
+  return !cell.empty() && cell.find_first_not_of("0123456789.,e+-") == std::string_view::npos &&
          std::isdigit(static_cast<unsigned char>(cell.front())) != 0;
 }
 

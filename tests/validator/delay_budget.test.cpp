@@ -14,7 +14,8 @@ using validator::DelayBudget;
 using validator::FeedforwardState;
 
 constexpr design::CycleTime one_millisecond{1'000'000};
-std::string const pt1 = "filter[0].type PT1\nfilter[0].enable 1\nfilter[0].order 1\nfilter[0].time_constant 4000\n";
+std::string const pt1 =
+    "filter[0].type PT1\nfilter[0].enable 1\nfilter[0].order 1\nfilter[0].time_constant 4000\n";
 std::string const added_velocity = "vorsteuer.vorsteuerung ADD_VEL\nvorsteuer.default_active 1\n";
 std::string const profidrive = "kenngr.antr_typ 3\n";
 std::string const sercos = "kenngr.antr_typ 2\n";

@@ -10,8 +10,8 @@
 
 namespace axisc::says {
 
-constexpr Sentence motion_title{"{recording} beside the plan of {program} (axes: {axes})",
-                                "{recording} neben dem Plan von {program} (Achsen: {axes})"};
+constexpr Sentence motion_title{"{recording} compared with the plan of {program} (axes: {axes})",
+                                "{recording}, verglichen mit dem Plan von {program} (Achsen: {axes})"};
 constexpr Sentence plans_alike{"the same: the control plans as axisc does",
                                "gleich: die Steuerung plant wie axisc"};
 constexpr Sentence plans_otherwise{"different: the control does not plan as axisc does",
@@ -57,7 +57,7 @@ constexpr Sentence none_fits{"none fits", "keine passt"};
 constexpr Sentence column_key{"key", "Schlüssel"};
 constexpr Sentence column_reading{"reading", "Lesart"};
 constexpr Sentence column_in_force{"in force", "geltend"};
-constexpr Sentence column_next{"the next, which does not fit", "die nächste, die nicht passt"};
+constexpr Sentence column_next{"next best, which does not fit", "nächstbeste, die nicht passt"};
 constexpr Sentence column_next_largest{"largest deviation", "größte Abweichung"};
 
 }  // namespace axisc::says

@@ -31,8 +31,7 @@ constexpr Sentence no_such_moves{
     "the columns",
     "{recording}: die {programmed} Bewegungen von {program} fehlen unter den {recorded} dieser Aufzeichnung; "
     "vom Stillstand vor dem Programm bis zum Stillstand danach aufzeichnen, mit Override 100 %, und --unit "
-    "und "
-    "die Spalten prüfen"};
+    "und die Spalten prüfen"};
 
 }  // namespace axisc::says
 

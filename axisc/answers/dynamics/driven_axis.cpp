@@ -63,11 +63,12 @@ double DrivenAxis::jerk(double value) const {
 }
 
 std::optional<DrivenAxis> driven_axis(machine::Machine const& machine, std::size_t axis) {
-  auto const group = std::find_if(machine.groups.begin(), machine.groups.end(), [axis](auto const& each) {
-    return std::find(each.axes.begin(), each.axes.end(), axis) != each.axes.end();
+  auto const leading = machine.axes[axis].gantry_master.value_or(axis);
+  auto const group = std::find_if(machine.groups.begin(), machine.groups.end(), [leading](auto const& each) {
+    return std::find(each.axes.begin(), each.axes.end(), leading) != each.axes.end();
   });
   if (group == machine.groups.end()) return std::nullopt;
-  return DrivenAxis(machine, axis, *group);
+  return DrivenAxis(machine, leading, *group);
 }
 
 }  // namespace axisc

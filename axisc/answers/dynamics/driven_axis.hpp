@@ -57,7 +57,8 @@ class DrivenAxis {
   std::vector<std::string> uncomputed_;
 };
 
-/// In the first channel that has it; none for an axis that no channel moves, as a spindle.
+/// In the first channel that has it, a gantry slave as its master; none for an axis that no channel moves, as
+/// a spindle.
 [[nodiscard]] std::optional<DrivenAxis> driven_axis(machine::Machine const& machine, std::size_t axis);
 
 }  // namespace axisc

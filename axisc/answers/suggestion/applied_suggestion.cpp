@@ -14,8 +14,8 @@ constexpr Sentence bad_apply{"--apply needs a number from 1 to 5, not \"{value}\
 constexpr Sentence apply_needs_plant{"--apply 4 is Improved Position Control: it needs --plant",
                                      "--apply 4 ist die optimierte Lageregelung: dafür --plant angeben"};
 constexpr Sentence step_has_no_ramps{
-    "--apply 5 is ramp times, which do not act with STEP; name --slope TRAPEZ or SIN2",
-    "--apply 5 sind Rampenzeiten, die mit STEP nicht wirken; dafür --slope TRAPEZ oder SIN2 angeben"};
+    "--apply 5 proposes ramp times, which have no effect with STEP; add --slope TRAPEZ or SIN2",
+    "--apply 5 schlägt Rampenzeiten vor, die mit STEP nicht wirken; dafür --slope TRAPEZ oder SIN2 angeben"};
 constexpr Sentence written{"written: {file}", "geschrieben: {file}"};
 constexpr Sentence nothing_written{"nothing to write: the lists have this setting already",
                                    "nichts zu schreiben: die Listen haben diese Einstellung schon"};

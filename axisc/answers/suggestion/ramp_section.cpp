@@ -20,6 +20,9 @@ constexpr Sentence hsc_is_a_reading{
     "how HSC plans is not documented: this is a reading, each ramp with the longest of the four ramp times",
     "wie HSC plant, ist nicht dokumentiert: dies ist eine Lesart, jede Rampe mit der längsten der vier "
     "Rampenzeiten"};
+constexpr Sentence sin2_is_a_reading{
+    "the shape of SIN2 is not documented: these figures are those of a reading (\"sine\" of \"motion\")",
+    "die Form von SIN2 ist nicht dokumentiert: diese Werte gelten für eine Lesart („sine“ in „motion“)"};
 constexpr Sentence no_ramp_times{
     "with STEP no ramp time acts; --slope TRAPEZ compares ramp times with filters, too",
     "mit STEP wirkt keine Rampenzeit; --slope TRAPEZ vergleicht auch Rampenzeiten mit Filtern"};
@@ -35,8 +38,8 @@ constexpr Sentence vibration{"vibration", "Schwingung"};
 constexpr Sentence to_feed{"to the feed", "in den Vorschub"};
 constexpr Sentence longer{"start and stop longer by", "An- und Abfahren länger um"};
 constexpr Sentence ramp_name{"{number} ramp times of {time}", "{number} Rampenzeiten von {time}"};
-constexpr Sentence none_enough{"none of them leaves a quarter of the vibration or less",
-                               "keine lässt ein Viertel der Schwingung oder weniger übrig"};
+constexpr Sentence none_enough{"none of them reduces the vibration to a quarter",
+                               "keine verringert die Schwingung auf ein Viertel"};
 constexpr Sentence needs_slope{
     "they act only with the slope {slope}: P-CHAN-00071 in the channel list, or #SLOPE [TYPE={slope}]",
     "sie wirken nur mit dem Slope {slope}: P-CHAN-00071 in der Kanalliste oder #SLOPE [TYPE={slope}]"};
@@ -117,6 +120,7 @@ void add_excitation(std::vector<Block>& blocks, Suggested const& suggested) {
   }
   blocks.emplace_back(std::move(shares));
   if (slope == machine::Slope::step) blocks.emplace_back(Paragraph{says::no_ramp_times});
+  if (slope == machine::Slope::sin2) blocks.emplace_back(Paragraph{says::sin2_is_a_reading});
   if (slope == machine::Slope::hsc) blocks.emplace_back(Paragraph{says::hsc_is_a_reading});
 }
 

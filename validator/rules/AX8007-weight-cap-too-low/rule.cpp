@@ -18,11 +18,11 @@ constexpr Sentence acceleration_default{
     "no list sets `{acceleration}`: its default {value} applies",
     "keine Liste setzt `{acceleration}`: es gilt der Standardwert {value}"};
 constexpr Sentence undocumented{
-    "what the control does then is not documented; plans take the feed acceleration, and a weight above 100 "
-    "% "
-    "gives no more",
-    "was die Steuerung dann tut, ist nicht dokumentiert; gerechnet wird mit der Vorschubbeschleunigung, und "
-    "ein Gewicht über 100 % gibt nicht mehr"};
+    "what the control does in that case is not documented; axisc plans with the feed acceleration, and "
+    "weights "
+    "above 100 % have no effect",
+    "was die Steuerung dann tut, ist nicht dokumentiert; axisc plant mit der Vorschubbeschleunigung, und ein "
+    "Gewicht über 100 % bewirkt nichts"};
 
 }  // namespace axisc::validator::says
 
