@@ -247,7 +247,7 @@ TEST_CASE("suggest refuses what it cannot answer") {
   CHECK(suggest(there, {"--apply", "6"}).status == 2);
   auto const without_ramps = suggest(there, {"--apply", "5"});
   CHECK(without_ramps.status == 2);
-  CHECK(without_ramps.err.find("do not act with STEP") != std::string::npos);
+  CHECK(without_ramps.err.find("have no effect with STEP") != std::string::npos);
   CHECK(suggest(there, {"--slope", "ROUND"}).status == 2);
   CHECK(suggest(there, {"--feed", "0"}).status == 2);
   CHECK(run_axisc({"suggest", "machine.json", "--axis", "Q", "--resonance", "48Hz"}, there).status == 2);
