@@ -38,18 +38,12 @@ function(axisc_compile_options target)
   endif()
 endfunction()
 
-# Sources in which no run spends its time, because they word and draw what others have computed: without the
-# second level of optimisation they compile in two thirds of the time. A whole target, or only the
-# sources that follow it.
+# Targets in which no run spends its time, because they word what others have computed: without the second
+# level of optimisation they compile in two thirds of the time. Only for targets with precompiled headers of
+# their own: g++ must not read those of another level.
 function(axisc_lightly_optimised target)
-  if(NOT CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
-    return()
-  endif()
-  set(level $<$<CONFIG:Release>:-O1>)
-  if(ARGN)
-    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS ${level})
-  else()
-    target_compile_options(${target} PRIVATE ${level})
+  if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()
 
