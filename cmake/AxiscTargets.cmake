@@ -1,14 +1,14 @@
 # One function per kind of target, so that every folder's CMakeLists.txt is a list of files and neighbours.
 
-# Checkouts in other places share what was compiled before. Without a cache, nothing can be found in it, and
-# every source would be read twice.
+# Checkouts in other places share what was compiled before, and so do build trees that differ in what they
+# link. What a source depends on is known from its last compilation: none is read twice.
 find_program(AXISC_CCACHE ccache)
 if("$ENV{CCACHE_DIR}" STREQUAL "" AND NOT EXISTS "$ENV{HOME}/.cache/ccache" AND NOT EXISTS "$ENV{HOME}/.ccache")
   set(AXISC_CCACHE "")
 endif()
 if(AXISC_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT MSVC AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(launcher "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
-    CCACHE_SLOPPINESS=pch_defines,time_macros "${AXISC_CCACHE}")
+    CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros "${AXISC_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
@@ -108,9 +108,10 @@ function(axisc_test_options target)
 endfunction()
 
 # axisc_test(grammar DEPENDS axisc_grammar) makes the program test_grammar of all sources in the folder and in
-# those directly below it, and the test "grammar". SOURCES adds others; with ONLY these are all.
+# those directly below it, and the test "grammar". SOURCES adds others; with ONLY these are all. With SHARDS n
+# the test is run in n parts, "grammar_1" and so on, so that all processors have work: every n-th source each.
 function(axisc_test name)
-  cmake_parse_arguments(ARG "ONLY" "" "SOURCES;EXCEPT;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "ONLY" "SHARDS" "SOURCES;EXCEPT;DEPENDS" ${ARGN})
   set(target test_${name})
   set(sources "")
   if(NOT ARG_ONLY)
@@ -122,11 +123,33 @@ function(axisc_test name)
   add_executable(${target} ${sources} ${ARG_SOURCES})
   axisc_test_options(${target})
   target_link_libraries(${target} PRIVATE axisc_test_support ${ARG_DEPENDS})
-  add_test(NAME ${name} COMMAND ${target})
   # Sanitizers take ten times as long, and a busy machine doubles that.
   set(limit 600)
   if(AXISC_SANITIZE)
     set(limit 2400)
   endif()
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${limit})
+  set(tests "")
+  if(ARG_SHARDS)
+    math(EXPR last "${ARG_SHARDS} - 1")
+    foreach(shard RANGE ${last})
+      set(filter_${shard} "")
+    endforeach()
+    set(shard 0)
+    foreach(source IN LISTS sources)
+      cmake_path(GET source STEM LAST_ONLY file)
+      # Without those that are hidden, which naming their file would show.
+      list(APPEND filter_${shard} "[#${file}]~[.]")
+      math(EXPR shard "(${shard} + 1) % ${ARG_SHARDS}")
+    endforeach()
+    foreach(shard RANGE ${last})
+      math(EXPR number "${shard} + 1")
+      list(JOIN filter_${shard} "," filter)
+      add_test(NAME ${name}_${number} COMMAND ${target} --filenames-as-tags "${filter}")
+      list(APPEND tests ${name}_${number})
+    endforeach()
+  else()
+    add_test(NAME ${name} COMMAND ${target})
+    set(tests ${name})
+  endif()
+  set_tests_properties(${tests} PROPERTIES TIMEOUT ${limit})
 endfunction()

@@ -2,6 +2,7 @@
 // shows.
 #include "support/catch.hpp"
 #include "support/editor_client.hpp"
+#include "support/sanitized.hpp"
 
 #include <random>
 
@@ -43,12 +44,7 @@ void edit_at_random(int edits, int between_checks) {
 }  // namespace
 
 TEST_CASE("after random edits the server shows what it shows of the same text opened anew") {
-#ifdef __SANITIZE_ADDRESS__
-  constexpr int edits = 300;
-#else
-  constexpr int edits = 3000;
-#endif
-  edit_at_random(edits, 3);
+  edit_at_random(sanitized ? 300 : 3000, 3);
 }
 
 TEST_CASE("after a hundred thousand random edits, too", "[.long]") {

@@ -1,5 +1,6 @@
 // Nothing of the cycle calls the operating system: it runs in a process that may only leave.
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 #include "tests/runtime/test_runtime.hpp"
 
 #include <linux/seccomp.h>
@@ -62,20 +63,11 @@ int run_cycles(TestRuntime& test) {
 
 }  // namespace
 
-/// Sanitizers ask the system for memory of their own while the code under test runs.
-#if defined(__SANITIZE_ADDRESS__)
-#define AXISC_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define AXISC_SANITIZED 1
-#endif
-#endif
-
 TEST_CASE("10,000 cycles with every system call forbidden") {
-#if defined(AXISC_SANITIZED)
-  WARN("skipped: sanitizers make system calls of their own");
-  return;
-#endif
+  if (sanitized) {
+    WARN("skipped: sanitizers make system calls of their own");
+    return;
+  }
   ImageRecord image = channel_image();
   image.axes[0].interface_filters = {exact::pt1(8, Quad{1} / 1000).record()};
   TestRuntime test(write_image(image));

@@ -28,7 +28,8 @@ CornerPassage passage(PathDynamics const& dynamics, double turn, double feed_mm_
 
 }  // namespace
 
-TEST_CASE("a corner of 45 degrees is passed as the specification says, with ramps on either side") {
+TEST_CASE(
+    "a corner of 45 degrees is passed with a T²/tr per change of direction, with ramps on either side") {
   // Y changes by v sin 45°: 2 mm/s · T/tr / sin 45° = 0.0565685 mm/s, and with the weight 500 1.41421 mm/s.
   auto const slow = passage(two_axes(machine::Slope::trapez), pi / 4);
   CHECK(slow.velocity == Approx(0.0565685 * mm_per_s).epsilon(1e-6));

@@ -4,6 +4,7 @@
 #include "channels.hpp"
 #include "plain_geometry.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -174,7 +175,7 @@ void keep_on_random_paths(int rounds) {
 }  // namespace
 
 TEST_CASE("no axis error of any path exceeds the tolerance") {
-  keep_on_random_paths(250);
+  keep_on_random_paths(test::sanitized ? 15 : 100);
 }
 
 TEST_CASE("no axis error of a thousand paths exceeds the tolerance", "[.][long]") {
@@ -338,7 +339,7 @@ TEST_CASE("the tolerance is kept across the planner's windows, too") {
   auto const machine = channel_of({{.order = order}, {.order = order}, {.order = order}});
   auto const taps = test::average_taps(order);
   auto const answers = test::answers_of(machine);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < (test::sanitized ? 4 : 20); ++round) {
     Random random{std::mt19937_64(static_cast<unsigned>(round))};
     std::vector<test::Place> contour = {{0, 0, 0}};
     for (int part = 0; part < 4; ++part) {

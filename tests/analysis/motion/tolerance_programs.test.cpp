@@ -3,6 +3,7 @@
 #include "channels.hpp"
 #include "exact_distance.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -281,7 +282,7 @@ unsigned setting(char const* name, unsigned otherwise) {
 }  // namespace
 
 TEST_CASE("random programs keep the tolerance") {
-  check_all(0, 40);
+  check_all(0, test::sanitized ? 5 : 40);
 }
 
 TEST_CASE("an error that has an edge between two cycles keeps the tolerance, too") {

@@ -8,6 +8,7 @@
 #include "random_tasks.hpp"
 #include "support/catch.hpp"
 #include "support/checked.hpp"
+#include "support/sanitized.hpp"
 #include "swinging_load.hpp"
 
 #include <fmt/format.h>
@@ -134,11 +135,7 @@ bool check_task(Task const& task) {
 }  // namespace
 
 TEST_CASE("suggestions keep on the simulated mechanics what they promise") {
-#ifdef __SANITIZE_ADDRESS__
-  constexpr std::uint32_t machines = 3;  // a sanitized program takes ten times as long
-#else
-  constexpr std::uint32_t machines = 20;
-#endif
+  constexpr std::uint32_t machines = test::sanitized ? 2 : 10;
   std::size_t chosen = 0;
   for (std::uint32_t seed = 1; seed <= machines; ++seed) {
     INFO("seed " << seed);

@@ -6,6 +6,7 @@
 #include "analysis/tuning/suggestion/ramp_envelope.hpp"
 #include "random_tasks.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 #include "support/step_dynamics.hpp"
 
 #include <array>
@@ -126,7 +127,7 @@ TEST_CASE("a ramp's slope excites a resonance by its envelope") {
   CHECK(largest(machine::Slope::sin2) / step == Approx(0.0140).epsilon(0.02));
 }
 
-TEST_CASE("the envelopes of 48 Hz and 50 ms are those of the specification") {
+TEST_CASE("the envelopes at 48 Hz and 50 ms, at 0 and at their zeros, by hand") {
   double const x = pi * 48 * 0.05;
   CHECK(trapez_envelope(x) == Approx(0.126).epsilon(2e-3));
   CHECK(sine_envelope(x) == Approx(0.0140).epsilon(2e-3));
@@ -298,6 +299,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the three senses are optimal among all candidates that a list may set without a finding") {
+  // Of each task a part of the candidates: settling one takes a millisecond, and there are some ten thousand.
+  constexpr std::size_t stride = test::sanitized ? 101 : 7;
   for (std::uint32_t seed = 100; seed < 104; ++seed) {
     INFO(seed);
     auto task = test::random_task(seed);
@@ -306,8 +309,9 @@ TEST_CASE("the three senses are optimal among all candidates that a list may set
     auto found = enumerate(task, judge);
     auto const choice = choose(found.candidates, judge, task.goal);
     if (!choice) continue;
-    // All of them are settled here, not only those that seemed to be among the best.
-    for (auto& candidate : found.candidates) {
+    // Settled here, not only those that seemed to be among the best.
+    for (std::size_t i = seed % stride; i < found.candidates.size(); i += stride) {
+      auto& candidate = found.candidates[i];
       auto const estimate =
           candidate.is_settled
               ? judge.estimate(candidate.second ? in_series(*candidate.first, *candidate.second)
@@ -322,12 +326,12 @@ TEST_CASE("the three senses are optimal among all candidates that a list may set
     std::size_t better_balanced = 0, calmer = 0, cheaper = 0;
     double least = 1;
     for (auto const& candidate : found.candidates) {
-      if (candidate.is_clean) least = std::min(least, candidate.figures.vibration);
+      if (candidate.is_clean && candidate.is_settled) least = std::min(least, candidate.figures.vibration);
     }
     double const same = least + 5e-4;
     for (auto const& candidate : found.candidates) {
       auto const& figures = candidate.figures;
-      if (!candidate.is_clean || figures.vibration > std::max(0.25, same)) continue;
+      if (!candidate.is_clean || !candidate.is_settled || figures.vibration > std::max(0.25, same)) continue;
       better_balanced += balance(figures, task.goal) < balance(balanced.figures, task.goal) ? 1 : 0;
       cheaper +=
           figures.vibration <= std::max(0.25, same) && price(figures) < price(deviation.figures) ? 1 : 0;

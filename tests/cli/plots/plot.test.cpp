@@ -3,6 +3,7 @@
 #include "cli/program.hpp"
 #include "presentation/pictures/projection.hpp"
 #include "support/golden.hpp"
+#include "support/sanitized.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
@@ -127,11 +128,7 @@ std::string random_list(std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("a drawn magnitude is the response, for random chains") {
-#ifdef __SANITIZE_ADDRESS__
-  constexpr int chains = 20;  // a sanitized program takes ten times as long
-#else
-  constexpr int chains = 200;
-#endif
+  constexpr int chains = sanitized ? 5 : 60;
   constexpr int frequencies = 1000;
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());

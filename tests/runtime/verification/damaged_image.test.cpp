@@ -1,6 +1,7 @@
 // Damaged images: every answer is a status, and whatever is accepted can be executed.
 #include "axisrt.h"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 #include "tests/runtime/test_runtime.hpp"
 
 #include <algorithm>
@@ -103,7 +104,8 @@ TEST_CASE("every bit flip with right checksums is refused or harmless") {
   if (!with_kernels) small.axes.resize(1);
   Bytes const whole = write_image(small);
   std::size_t accepted = 0;
-  for (std::size_t bit = 0; bit < whole.size() * 8; ++bit) {
+  // Sanitizers look at the header and every fifth bit after it.
+  for (std::size_t bit = 0; bit < whole.size() * 8; bit += sanitized && bit >= 4096 ? 5 : 1) {
     Bytes bytes = whole;
     bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
     repair_checksums(bytes);
