@@ -9,7 +9,7 @@ N70 #CONTOUR MODE [DEV PATH_DEV=0.2]
 N80 X100
 N90 #CONTOUR MODE OFF
 N100 X100
-N110 G333 X50 Y50                (of a feed hold alone, as the next three)
+N110 G333 X50 Y50                (acts on feed hold alone, as do the next three)
 N120 G334=50
 N130 G338 X50 Y50
 N140 G339=50

@@ -3,7 +3,7 @@
 ; Record the unfiltered command position of each axis in every NC cycle, from the rest before the
 ; program to the rest after it, with the override at 100 %; then: axisc compare machine.json
 ; scope.csv --program this.nc
-; The axes move from where they are, and return there. Keep this travel free:
+; The axes move from where they are, and return there. Keep this range clear:
 ; X: 0 to 20 mm
 ; Y: -2 to 10 mm
 ; A recording tells: projection, borders, sine, circle, corner, weights, cycles, hsc.
