@@ -4,7 +4,7 @@
 #include "codegen/proof.hpp"
 #include "codegen/self_test.hpp"
 #include "design/filter_design.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 namespace axisc::codegen {
 

@@ -1,6 +1,6 @@
 #include "codegen/compiled_kernels.hpp"
 
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // How long a change from one kernel to another must take, so that it does not jerk the axis.
 #pragma once
 
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "design/units.hpp"
 
 #include <cstdint>

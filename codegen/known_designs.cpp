@@ -1,6 +1,6 @@
 #include "codegen/known_designs.hpp"
 
-#include "design/kernel_analysis.hpp"
+#include "design/kernels/kernel_analysis.hpp"
 
 #include <bit>
 #include <cmath>

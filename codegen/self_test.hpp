@@ -3,7 +3,7 @@
 #pragma once
 
 #include "design/filter_design.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <vector>
 

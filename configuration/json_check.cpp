@@ -3,6 +3,7 @@
 #include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/joined.hpp"
 #include "schema/closest_word.hpp"
 #include "schema/value.hpp"
 
@@ -47,12 +48,6 @@ namespace {
 
 using Kind = JsonShapeKind;
 using Words = std::vector<std::string_view>;
-
-std::string joined(Words const& words) {
-  std::string text;
-  for (std::string_view const word : words) text.append(text.empty() ? "" : ", ").append(word);
-  return text;
-}
 
 Wording range_text(JsonShape const& shape) {
   if (shape.lowest == shape.highest) return "= " + exact_number(shape.lowest);

@@ -6,6 +6,7 @@
 #include "configuration/machine/drive_type.hpp"
 #include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/joined.hpp"
 #include "diagnostics/terminal.hpp"
 #include "schema/closest_word.hpp"
 
@@ -149,12 +150,6 @@ constexpr JsonShape machine_file_shape{
     .kind = Kind::object, .title = "Machine of axisc", .keys = machine_keys};
 
 namespace {
-
-std::string joined(std::vector<std::string_view> const& words) {
-  std::string text;
-  for (std::string_view const word : words) text.append(text.empty() ? "" : ", ").append(word);
-  return text;
-}
 
 /// A machine file that was written on Windows names the same files everywhere.
 void use_slashes(MachineFile& machine) {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "design/filter_specification.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <array>
 #include <cassert>

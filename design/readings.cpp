@@ -1,7 +1,7 @@
 #include "design/readings.hpp"
 
 #include "design/filter_kinds.hpp"
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 
 namespace axisc::design {
 namespace {

@@ -32,7 +32,7 @@ enum class FilterReading : std::uint8_t {
 
 /// Readings of linear-phase kernels. The numbers are stored in images.
 enum class KernelReading : std::uint8_t {
-  documented = 0,           ///< see design/kernel_design.hpp
+  documented = 0,           ///< see design/kernels/kernel_design.hpp
   taps_n,                   ///< order N means N taps
   taps_n_plus_1,            ///< order N means N + 1 taps
   half_width_rounded_down,  ///< h = floor(N/2)

@@ -40,6 +40,9 @@ struct CycleTime {
                                     CycleTime const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
+/// Lists give velocity limits in µm/s, programs feeds in mm/min.
+inline constexpr double mm_per_min_of_um_per_s = 0.06;
+
 /// NC cycle times that controls run with; a list or machine that asks for another one has mistaken the unit.
 inline constexpr CycleTime shortest_cycle_time{20'000};
 inline constexpr CycleTime longest_cycle_time{100'000'000};

@@ -2,8 +2,8 @@
 
 #include "design/filter_analysis.hpp"
 #include "design/filter_kinds.hpp"
-#include "design/kernel_analysis.hpp"
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_analysis.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 #include "image/runtime_host.hpp"
 
 #include <algorithm>

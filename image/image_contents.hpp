@@ -6,7 +6,7 @@
 #include "configuration/machine/machine.hpp"
 #include "design/filter_design.hpp"
 #include "design/filter_specification.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "design/units.hpp"
 
 #include <array>

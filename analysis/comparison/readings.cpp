@@ -4,7 +4,7 @@
 #include "analysis/comparison/invariant_readings.hpp"
 #include "analysis/comparison/kernel_readings.hpp"
 #include "design/filter_kinds.hpp"
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include "analysis/comparison/chain.hpp"
 #include "design/filter_specification.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "design/readings.hpp"
 #include "design/units.hpp"
 #include "diagnostics/message.hpp"

@@ -4,6 +4,7 @@
 #include "axisc/environment/sentences.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/joined.hpp"
 #include "schema/closest_word.hpp"
 
 #include <array>
@@ -82,17 +83,15 @@ std::string axis_label(image::ImageContents const& image, std::size_t axis) {
 }
 
 Failure unknown_axis(std::string const& name, std::vector<std::string> const& labels) {
-  std::string known;
   std::string meant;
   for (auto const& label : labels) {
-    known += (known.empty() ? "" : ", ") + label;
     if (ascii::lower_case(label) == ascii::lower_case(name)) meant = label;
   }
   if (meant.empty()) {
     meant = schema::closest_word(name, std::vector<std::string_view>(labels.begin(), labels.end()));
   }
   return Failure({meant.empty() ? says::unknown_axis : says::unknown_axis_meant,
-                  {{"axis", name}, {"axes", known}, {"meant", meant}}});
+                  {{"axis", name}, {"axes", joined(labels)}, {"meant", meant}}});
 }
 
 std::vector<std::size_t> chosen_axes(image::ImageContents const& image,

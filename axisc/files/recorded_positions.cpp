@@ -3,6 +3,7 @@
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/joined.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -22,16 +23,6 @@ constexpr Sentence foreign_axis{"--in {axis}={column}: the channel has the axes 
 
 namespace axisc {
 
-namespace {
-
-std::string listed(std::vector<std::string> const& names) {
-  std::string text;
-  for (auto const& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-}  // namespace
-
 RecordedPositions read_recorded_positions(std::string const& file, recordings::ByteSource source,
                                           std::vector<std::string> const& axes,
                                           std::vector<AxisColumn> const& named,
@@ -39,7 +30,7 @@ RecordedPositions read_recorded_positions(std::string const& file, recordings::B
   for (auto const& each : named) {
     if (std::find(axes.begin(), axes.end(), each.axis) != axes.end()) continue;
     throw Failure(
-        {says::foreign_axis, {{"axis", each.axis}, {"column", each.column}, {"axes", listed(axes)}}});
+        {says::foreign_axis, {{"axis", each.axis}, {"column", each.column}, {"axes", joined(axes)}}});
   }
   RecordedPositions found;
   auto const choose = [&](ColumnNames const& columns) {
@@ -62,7 +53,7 @@ RecordedPositions read_recorded_positions(std::string const& file, recordings::B
     }
     if (chosen.empty()) {
       throw Failure(
-          {says::no_axis_column, {{"file", file}, {"axes", listed(axes)}, {"known", columns.known()}}},
+          {says::no_axis_column, {{"file", file}, {"axes", joined(axes)}, {"known", columns.known()}}},
           csv_malformed);
     }
     return chosen;

@@ -22,8 +22,10 @@ constexpr Sentence other_cycle{
     "{file}:{line}: seit der Zeile davor vergingen {step} ms, das ist keine ganze Zahl von Zyklen von "
     "{cycle} ms; mit dem NC-Zyklus aufzeichnen"};
 constexpr Sentence no_position{
-    R"({file}:{line}: {value} in column "{column}" is too large for a position; delete the row, or name another column)",
-    R"({file}:{line}: {value} in Spalte "{column}" ist zu groß für eine Position; die Zeile löschen oder eine andere Spalte nennen)"};
+    "{file}:{line}: {value} in column \"{column}\" is too large for a position; delete the row, or name "
+    "another column",
+    "{file}:{line}: {value} in Spalte \"{column}\" ist zu groß für eine Position; die Zeile löschen oder "
+    "eine andere Spalte nennen"};
 constexpr Sentence many_lost{
     "{file}:{line}: more than a quarter of the cycles is missing by the column of the time; record every NC "
     "cycle of {cycle} ms",

@@ -9,6 +9,7 @@
 #include "configuration/project_file.hpp"
 #include "configuration/xml/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/joined.hpp"
 #include "system/folder.hpp"
 #include "system/path.hpp"
 #include "system/process.hpp"
@@ -328,9 +329,7 @@ std::string machine_input(std::string const& name) {
   if (inputs.paths.empty()) {
     throw Failure({says::no_machine, {{"folder", name}}}, cannot_read);
   }
-  std::string machines;
-  for (auto const& path : inputs.paths) machines += (machines.empty() ? "" : ", ") + path;
-  throw Failure({says::several_machines, {{"folder", name}, {"machines", machines}}});
+  throw Failure({says::several_machines, {{"folder", name}, {"machines", joined(inputs.paths)}}});
 }
 
 }  // namespace axisc

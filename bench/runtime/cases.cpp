@@ -2,7 +2,7 @@
 
 #include "codegen/image_writer.hpp"
 #include "design/filter_design.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 #include "axisc/answers/execution/recorded_switches.hpp"
 #include "axisc/checking/compiled_input.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/compare_motion.hpp"
+#include "cli/commands/compare_options.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
@@ -56,17 +56,6 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Emitted : std::uint8_t { nothing, settings, program };
-
-struct CompareOptions {
-  std::optional<std::string> input, recording, axis, cycle_time, program, group, output;
-  std::vector<std::string> commands, columns;
-  RecordedUnit unit = RecordedUnit::recognised;
-  bool alone = false;
-  presentation::Format format = presentation::Format::text;
-  Emitted emitted = Emitted::nothing;
-};
-
 void declare(CommandLine& command_line, CompareOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_input);
   command_line.argument("RECORDING.csv", options.recording, says::argument_recording);
@@ -91,32 +80,15 @@ void declare(CommandLine& command_line, CompareOptions& options) {
   declare_format(command_line, options.format);
 }
 
-/// Only what is determined; what is left open is said, and is no success: what fits is written in part.
-ExitStatus emit_settings(comparison::Comparison const& result, design::Readings const& current,
-                         Invocation const& invocation) {
+ExitStatus emit_filters(comparison::Comparison const& result, design::Readings const& current,
+                        Invocation const& invocation) {
   auto const settings = comparison::settings_of(result, current);
-  auto const tell = printed_notes(invocation);
-  for (auto const& open : comparison::open_settings(result)) tell(left_open(open));
-  if (!settings) {
-    tell({says::no_settings});
-    return ExitStatus::findings;
-  }
-  invocation.streams.out.write(design_settings(settings->readings));
-  bool const is_complete = settings->open.empty() || result.verdict != comparison::Verdict::different;
-  return is_complete ? ExitStatus::success : ExitStatus::findings;
-}
-
-MotionOptions motion_options(CompareOptions const& options) {
-  return {.input = *options.input,
-          .recording = options.recording.value_or(""),
-          .program = options.program.value_or(""),
-          .group = options.group,
-          .cycle_time = options.cycle_time,
-          .columns = options.columns,
-          .unit = options.unit,
-          .alone = options.alone,
-          .emits_settings = options.emitted == Emitted::settings,
-          .format = options.format};
+  std::vector<Message> open;
+  for (auto const& each : comparison::open_settings(result)) open.push_back(left_open(each));
+  auto const text = settings ? std::optional(design_settings(settings->readings)) : std::nullopt;
+  bool const is_complete =
+      settings && (settings->open.empty() || result.verdict != comparison::Verdict::different);
+  return emit_settings(text, open, is_complete, says::no_settings, invocation);
 }
 
 ExitStatus compare_filters(CompareOptions const& options, Invocation const& invocation,
@@ -138,7 +110,7 @@ ExitStatus compare_filters(CompareOptions const& options, Invocation const& invo
                                      kernel_switches(commands, image, axis, *options.input));
   refuse_late(commands, recorded.columns.recording.input.size());
   if (options.emitted == Emitted::settings) {
-    return emit_settings(recorded.result, image::readings_of(image, axis), invocation);
+    return emit_filters(recorded.result, image::readings_of(image, axis), invocation);
   }
   print(compare_answer(axis_label(image, axis), recorded), options.format, invocation, command_line);
   auto const verdict = recorded.result.verdict;
@@ -148,6 +120,18 @@ ExitStatus compare_filters(CompareOptions const& options, Invocation const& invo
 
 }  // namespace
 
+ExitStatus emit_settings(std::optional<std::string> const& settings, std::vector<Message> const& left_open,
+                         bool is_complete, SentenceRef nothing, Invocation const& invocation) {
+  auto const tell = printed_notes(invocation);
+  for (auto const& message : left_open) tell(message);
+  if (!settings) {
+    tell({nothing});
+    return ExitStatus::findings;
+  }
+  invocation.streams.out.write(*settings);
+  return is_complete ? ExitStatus::success : ExitStatus::findings;
+}
+
 ExitStatus compare(Invocation const& invocation) {
   CompareOptions options;
   CommandLine command_line("compare", invocation.language);
@@ -155,11 +139,11 @@ ExitStatus compare(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
   if (options.emitted == Emitted::program) {
-    if (options.recording) throw Failure({says::not_recorded_yet});
-    return emit_program(motion_options(options), invocation, command_line);
+    if (options.recording || options.program) throw Failure({says::not_recorded_yet});
+    return emit_program(options, invocation, command_line);
   }
   command_line.require(options.recording.has_value(), "RECORDING.csv");
-  if (options.program) return compare_motion(motion_options(options), invocation, command_line);
+  if (options.program) return compare_motion(options, invocation, command_line);
   return compare_filters(options, invocation, command_line);
 }
 

@@ -1,8 +1,7 @@
-#include "cli/commands/compare_motion.hpp"
-
 #include "axisc/answers/comparison/motion_answer.hpp"
 #include "axisc/answers/comparison/telling_text.hpp"
 #include "axisc/checking/path_machine.hpp"
+#include "cli/commands/compare_options.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/output/answer_output.hpp"
 #include "cli/output/printed_errors.hpp"
@@ -42,58 +41,51 @@ struct ChosenGroup {
   std::size_t group = 0;
 };
 
-std::optional<ChosenGroup> chosen(MotionOptions const& options, Invocation const& invocation, bool color) {
+std::optional<ChosenGroup> chosen(CompareOptions const& options, Invocation const& invocation, bool color) {
   Workspace workspace(overrides_with(options.cycle_time));
-  auto checked = checked_machine(workspace, {.input = options.input, .alone = options.alone},
+  auto checked = checked_machine(workspace, {.input = *options.input, .alone = options.alone},
                                  printed_errors(invocation, color));
   if (!checked) return std::nullopt;
   auto const group =
-      chosen_group(checked->machine, options.group ? options.group : checked->group, options.input);
+      chosen_group(checked->machine, options.group ? options.group : checked->group, *options.input);
   return ChosenGroup{.checked = *std::move(checked), .group = group};
 }
 
 ExitStatus emit_motion(comparison::MotionComparison const& result, Invocation const& invocation) {
   auto const open = motion_left_open(result);
-  auto const tell = printed_notes(invocation);
-  for (auto const& message : open) tell(message);
-  auto const settings = motion_settings(result);
-  if (!settings) {
-    tell({says::no_motion_settings});
-    return ExitStatus::findings;
-  }
-  invocation.streams.out.write(*settings);
   bool const is_complete = open.empty() && result.unexplained.empty();
-  return is_complete || result.agrees() ? ExitStatus::success : ExitStatus::findings;
+  return emit_settings(motion_settings(result), open, is_complete || result.agrees(),
+                       says::no_motion_settings, invocation);
 }
 
 }  // namespace
 
-ExitStatus compare_motion(MotionOptions const& options, Invocation const& invocation,
+ExitStatus compare_motion(CompareOptions const& options, Invocation const& invocation,
                           CommandLine const& command_line) {
   bool const color = use_color(command_line.color(), system::Stream::error);
   auto const columns = axis_columns(options.columns);
   auto made = chosen(options, invocation, color);
   if (!made) return ExitStatus::findings;
   auto& machine = made->checked.machine;
-  ProgramRequest const request{.machine_path = options.input, .program_path = options.program};
-  ProgramLines program(options.program);
+  ProgramRequest const request{.machine_path = *options.input, .program_path = *options.program};
+  ProgramLines program(*options.program);
   if (!survey_program(program, request, machine, made->group, printed_problems(invocation, color))) {
     return ExitStatus::findings;
   }
   auto const recorded =
       compare_program(program, request, machine, made->group,
-                      {.path = options.recording, .columns = columns, .unit = options.unit});
-  if (options.emits_settings) return emit_motion(recorded.result, invocation);
+                      {.path = *options.recording, .columns = columns, .unit = options.unit});
+  if (options.emitted == Emitted::settings) return emit_motion(recorded.result, invocation);
   print(motion_answer(recorded), options.format, invocation, command_line);
   return recorded.result.agrees() ? ExitStatus::success : ExitStatus::findings;
 }
 
-ExitStatus emit_program(MotionOptions const& options, Invocation const& invocation,
+ExitStatus emit_program(CompareOptions const& options, Invocation const& invocation,
                         CommandLine const& command_line) {
   auto const made = chosen(options, invocation, use_color(command_line.color(), system::Stream::error));
   if (!made) return ExitStatus::findings;
   invocation.streams.out.write(
-      telling_text(made->checked.machine, made->group, options.input, invocation.language));
+      telling_text(made->checked.machine, made->group, *options.input, invocation.language));
   return ExitStatus::success;
 }
 

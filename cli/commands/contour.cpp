@@ -1,7 +1,5 @@
 #include "axisc/answers/contour/contour_answer.hpp"
 #include "axisc/answers/contour/delay_budget_answer.hpp"
-#include "axisc/checking/compilable.hpp"
-#include "axisc/checking/machine_input.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "cli/commands/commands.hpp"
@@ -27,22 +25,6 @@ constexpr Sentence option_budget{
 }  // namespace axisc::cli::says
 
 namespace axisc::cli {
-
-namespace {
-
-/// None after errors.
-std::optional<presentation::Document> budget(Workspace& workspace, MachineRequest const& request,
-                                             std::optional<double> feed, ErrorSink const& errors) {
-  auto const machine = machine_of_input(workspace, request).machine;
-  SourceSet sources;
-  std::optional<validator::LoadedMachine> loaded;
-  auto const result = check_machine(workspace, machine, errors, sources, loaded);
-  if (!result) return std::nullopt;
-  require_cycle_time(machine, *result);
-  return delay_budget_answer(*loaded, *loaded->cycle_time, sources, feed);
-}
-
-}  // namespace
 
 ExitStatus contour(Invocation const& invocation) {
   std::optional<std::string> input, cycle_time;
@@ -75,7 +57,7 @@ ExitStatus contour(Invocation const& invocation) {
   auto const errors = printed_errors(invocation, use_color(command_line.color(), system::Stream::error));
   if (wants_budget) {
     auto const feed = words.feeds ? std::optional(question.wanted.feeds.front()) : std::nullopt;
-    auto const document = budget(workspace, request, feed, errors);
+    auto const document = delay_budget_answer(workspace, {.machine = request, .feed = feed}, errors);
     if (!document) return ExitStatus::findings;
     print(*document, format, invocation, command_line);
     return ExitStatus::success;

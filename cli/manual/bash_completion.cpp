@@ -1,6 +1,7 @@
 #include "axisc/asked/quantities.hpp"
 #include "cli/manual/completions.hpp"
 #include "cli/options/command_line.hpp"
+#include "diagnostics/joined.hpp"
 
 #include <map>
 
@@ -46,12 +47,6 @@ constexpr std::string_view end = R"(  esac
 complete -o bashdefault -o default -F _axisc axisc
 )";
 
-std::string joined(std::vector<std::string> const& words) {
-  std::string text;
-  for (auto const& word : words) text.append(text.empty() ? "" : " ").append(word);
-  return text;
-}
-
 std::string_view word_of(Offer offer) {
   switch (offer) {
     case Offer::files: return "files";
@@ -63,7 +58,7 @@ std::string_view word_of(Offer offer) {
 }
 
 std::string offered(OptionDescription const& option) {
-  return option.values.empty() ? std::string(word_of(offer_for(option))) : joined(option.values);
+  return option.values.empty() ? std::string(word_of(offer_for(option))) : joined(option.values, " ");
 }
 
 /// The words before the place of a value, each with what may follow: "lint --kind" offers "axis channel …".

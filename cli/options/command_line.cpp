@@ -7,6 +7,7 @@
 #include "cli/options/help_text.hpp"
 #include "cli/options/invocation.hpp"
 #include "cli/options/sentences.hpp"
+#include "diagnostics/joined.hpp"
 #include "presentation/text_table.hpp"
 #include "schema/closest_word.hpp"
 
@@ -49,15 +50,6 @@ constexpr Sentence option_color{"colours; auto: on a terminal, unless NO_COLOR i
 namespace axisc::cli {
 
 namespace {
-
-std::string joined(std::vector<std::string_view> const& words, std::string_view separator) {
-  std::string text;
-  for (auto const word : words) {
-    if (!text.empty()) text += separator;
-    text += word;
-  }
-  return text;
-}
 
 /// Whether one of the arguments could be meant for the option.
 bool is_named(std::string_view names, std::span<std::string const> words) {
@@ -195,8 +187,8 @@ void CommandLine::choice_of(std::string_view names, std::vector<std::string_view
        take = std::move(take)](std::vector<std::string> const& given) {
         auto const found = std::find(words.begin(), words.end(), given.back());
         if (found == words.end()) {
-          throw Failure({says::bad_choice,
-                         {{"option", name}, {"value", given.back()}, {"choices", joined(words, ", ")}}});
+          throw Failure(
+              {says::bad_choice, {{"option", name}, {"value", given.back()}, {"choices", joined(words)}}});
         }
         take(static_cast<std::size_t>(found - words.begin()));
       };

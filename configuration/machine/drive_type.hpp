@@ -27,4 +27,8 @@ inline constexpr std::array<DriveType, 10> drive_types = {{
     {.word = "CAN", .number = 32, .digital = false},
 }};
 
+/// Numbers that rules ask for.
+inline constexpr std::uint32_t profidrive = 3;
+inline constexpr std::uint32_t lightbus = 5;
+
 }  // namespace axisc::machine

@@ -5,7 +5,7 @@
 #include "configuration/machine/filter_command.hpp"
 #include "configuration/machine/path_dynamics.hpp"
 #include "design/filter_specification.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "design/oscillator.hpp"
 #include "design/units.hpp"
 

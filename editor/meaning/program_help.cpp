@@ -1,6 +1,6 @@
 #include "editor/meaning/program_help.hpp"
 
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
 #include "editor/reading/requests.hpp"

@@ -1,7 +1,7 @@
 #include "naive_kernels.hpp"
 
-#include "design/kernel_analysis.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_analysis.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "design/kernel_analysis.hpp"
+#include "design/kernels/kernel_analysis.hpp"
 
 #include "support/catch.hpp"
 #include "tests/design/kernel_filter.hpp"

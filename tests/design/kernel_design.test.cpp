@@ -1,4 +1,4 @@
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include "support/catch.hpp"
 #include "tests/design/kernel_filter.hpp"

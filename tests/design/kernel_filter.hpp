@@ -1,7 +1,7 @@
 // A kernel as the specification writes its execution: y[n] = x[n] - Σ_j S_j d[n-j].
 #pragma once
 
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <cstddef>
 #include <deque>

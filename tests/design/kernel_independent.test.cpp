@@ -1,6 +1,6 @@
 // Against data/kernels.json, whose origin is data/make_kernels.py: every tap by its definition, in 60 digits.
-#include "design/kernel_analysis.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_analysis.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "support/catch.hpp"
 
 #include <complex>

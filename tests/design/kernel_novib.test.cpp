@@ -1,6 +1,6 @@
-#include "design/kernel_analysis.hpp"
-#include "design/kernel_design.hpp"
-#include "design/kernel_shapes_def.hpp"
+#include "design/kernels/kernel_analysis.hpp"
+#include "design/kernels/kernel_design.hpp"
+#include "design/kernels/kernel_shapes_def.hpp"
 #include "support/catch.hpp"
 #include "tests/design/kernel_specifications.hpp"
 

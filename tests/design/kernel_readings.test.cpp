@@ -1,6 +1,6 @@
 // Kernels in other readings than the documented one, beside taps by hand and their discrete Fourier
 // transform.
-#include "design/kernel_analysis.hpp"
+#include "design/kernels/kernel_analysis.hpp"
 #include "support/catch.hpp"
 #include "tests/design/kernel_specifications.hpp"
 

@@ -1,6 +1,6 @@
 // Kernels against independent responses: complex frequency response and step response within 1e-9.
-#include "design/kernel_analysis.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_analysis.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "support/catch.hpp"
 #include "tests/design/kernel_filter.hpp"
 

@@ -1,6 +1,6 @@
 // Stored numbers are the nearest doubles of the mathematics: compared with the definitions evaluated tap by
 // tap, each exponential, sine and cosine of its own, in twice the digits.
-#include "design/kernel_design_def.hpp"
+#include "design/kernels/kernel_design_def.hpp"
 #include "support/catch.hpp"
 #include "tests/design/kernel_specifications.hpp"
 

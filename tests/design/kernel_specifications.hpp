@@ -1,7 +1,7 @@
 // Kernels the tests walk through.
 #pragma once
 
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <array>
 #include <cmath>

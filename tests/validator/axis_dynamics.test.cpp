@@ -3,6 +3,7 @@
 #include "support/catch.hpp"
 #include "support/checked.hpp"
 #include "validator/check.hpp"
+#include "validator/views/driven_value.hpp"
 
 namespace {
 
@@ -222,4 +223,52 @@ TEST_CASE("parameters of an axis that no plan computes are named") {
   for (auto const& parameter : checked.result.machine->axes.at(0).uncomputed)
     numbers.push_back(parameter.number);
   CHECK(numbers == std::vector<std::string>{"P-AXIS-00431", "P-AXIS-00202", "P-AXIS-00561"});
+}
+
+TEST_CASE("what counts of each value, what caps it, and the jerk of its ramp") {
+  // Each value has another number, all within P-AXIS-00008, 00201 and 00212.
+  std::string const lines =
+      "dynamik.a_max 9000;dynamik.tr_min 1000;dynamik.vb_max 500000;vb_eilgang 400000;"
+      "lslope_profil.a_stufe_1 1001;lslope_profil.a_stufe_2 1002;lslope_profil.d_stufe_1 1003;"
+      "lslope_profil.d_stufe_2 1004;lslope_profil.a_grenz_stufe_1 1005;lslope_profil.a_grenz_stufe_2 1006;"
+      "lslope_profil.d_grenz_stufe_1 1007;lslope_profil.d_grenz_stufe_2 1008;slope_profil.a_beschl 2000;"
+      "slope_profil.a_brems 3000;slope_profil.a_grenz 4000;slope_profil.tr_beschl_zu 10000;"
+      "slope_profil.tr_beschl_ab 20000;slope_profil.tr_brems_zu 30000;slope_profil.tr_brems_ab 40000;"
+      "slope_profil.tr_grenz 50000;dynamik.tr_geom 25000;dynamik.tr_w_min 7000;dynamik.a_w_max 8000";
+  auto const dynamics = dynamics_of(gear(lines));
+  struct Row {
+    std::string name;
+    double counts;
+    std::string cap;
+    std::optional<double> jerk = {};  // a/tr
+  };
+  for (auto const& row : {Row{"vb_eilgang", 400000, "P-AXIS-00212"},
+                          Row{"lslope_profil.a_stufe_1", 1001, "P-AXIS-00008"},
+                          Row{"lslope_profil.a_stufe_2", 1002, "P-AXIS-00008"},
+                          Row{"lslope_profil.d_stufe_1", 1003, "P-AXIS-00008"},
+                          Row{"lslope_profil.d_stufe_2", 1004, "P-AXIS-00008"},
+                          Row{"lslope_profil.a_grenz_stufe_1", 1005, "P-AXIS-00008"},
+                          Row{"lslope_profil.a_grenz_stufe_2", 1006, "P-AXIS-00008"},
+                          Row{"lslope_profil.d_grenz_stufe_1", 1007, "P-AXIS-00008"},
+                          Row{"lslope_profil.d_grenz_stufe_2", 1008, "P-AXIS-00008"},
+                          Row{"slope_profil.a_beschl", 2000, "P-AXIS-00008"},
+                          Row{"slope_profil.a_brems", 3000, "P-AXIS-00008"},
+                          Row{"slope_profil.a_grenz", 4000, "P-AXIS-00008"},
+                          Row{"slope_profil.tr_beschl_zu", 10000, "P-AXIS-00201", 200000},
+                          Row{"slope_profil.tr_beschl_ab", 20000, "P-AXIS-00201", 100000},
+                          Row{"slope_profil.tr_brems_zu", 30000, "P-AXIS-00201", 100000},
+                          Row{"slope_profil.tr_brems_ab", 40000, "P-AXIS-00201", 75000},
+                          Row{"slope_profil.tr_grenz", 50000, "P-AXIS-00201", 80000},
+                          Row{"dynamik.tr_geom", 25000, "P-AXIS-00201", 80000},
+                          Row{"dynamik.tr_w_min", 7000, "P-AXIS-00201"},
+                          Row{"dynamik.a_w_max", 8000, "P-AXIS-00008"}}) {
+    INFO(row.name);
+    auto const found = validator::driven_value(dynamics, "getriebe[]." + row.name);
+    REQUIRE(found);
+    CHECK(found->counts == row.counts);
+    CHECK(found->cap == row.cap);
+    REQUIRE(found->jerk.has_value() == row.jerk.has_value());
+    if (row.jerk) CHECK(*found->jerk == Approx(*row.jerk));
+  }
+  CHECK_FALSE(validator::driven_value(dynamics, "filter[].order"));
 }

@@ -1,10 +1,12 @@
-// The worked examples of the delay budget, by hand: T = 1 ms; a PT1 of 4 ms delays 3.98 cycles (measured).
+// The worked examples of the delay budget, by hand: T = 1 ms; a PT1 of 4 ms, pre-warped, delays by
+// 1/(2 tan(T/2τ)) = 3.97914 cycles.
 #include "validator/views/delay_budget.hpp"
 
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
 #include "validator/loading/loader.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace {
@@ -19,6 +21,7 @@ std::string const pt1 =
 std::string const added_velocity = "vorsteuer.vorsteuerung ADD_VEL\nvorsteuer.default_active 1\n";
 std::string const profidrive = "kenngr.antr_typ 3\n";
 std::string const sercos = "kenngr.antr_typ 2\n";
+double const pt1_cycles = 0.5 / std::tan(1.0 / 8);
 
 struct Loaded {
   tests::MapFiles files;
@@ -41,15 +44,15 @@ DelayBudget budget(std::string const& lines, FeedforwardState state = Feedforwar
 TEST_CASE("position and velocity of a PROFIdrive axis: the default shift of 3 cycles makes the lead") {
   auto const found = budget(pt1 + added_velocity + profidrive);
   CHECK(found.feeds_forward);
-  CHECK(found.position == Approx(8.98).margin(0.005));
-  CHECK(found.velocity == Approx(5.98).margin(0.005));
+  CHECK(found.position == Approx(pt1_cycles + 5));
+  CHECK(found.velocity == Approx(pt1_cycles + 2));
   CHECK(found.lead() == Approx(3));
 }
 
 TEST_CASE("without the delay of feedforward both lose the five cycles") {
   auto const found = budget(pt1 + added_velocity + profidrive + "vorsteuer.feedforward_without_delay 1\n");
-  CHECK(found.position == Approx(3.98).margin(0.005));
-  CHECK(found.velocity == Approx(0.98).margin(0.005));
+  CHECK(found.position == Approx(pt1_cycles));
+  CHECK(found.velocity == Approx(pt1_cycles - 3));
   CHECK(found.lead() == Approx(3));
 }
 
@@ -62,17 +65,17 @@ TEST_CASE("a time delay of the position alone is a lead, which a delay of the ve
       "filter[1].type TIME_DELAY\nfilter[1].enable 1\nfilter[1].order 1\nfilter[1].time_constant 2000\n"
       "kenngr.delay_filter_only_position 1\n";
   auto const found = budget(pt1 + delay + added_velocity + sercos);
-  CHECK(found.position == Approx(10.98).margin(0.005));
-  CHECK(found.velocity == Approx(8.98).margin(0.005));
+  CHECK(found.position == Approx(pt1_cycles + 7));
+  CHECK(found.velocity == Approx(pt1_cycles + 5));
   CHECK(found.lead() == Approx(2));
   auto const balanced =
       budget(pt1 + delay + added_velocity + sercos + "vorsteuer.velocity_delay_time 1500\n");
-  CHECK(balanced.velocity == Approx(10.48).margin(0.005));
+  CHECK(balanced.velocity == Approx(pt1_cycles + 6.5));
   CHECK(balanced.lead() == Approx(0.5));
   // An axis with the same filters and nothing fed forward.
   auto const other = budget(pt1 + delay + sercos);
   CHECK_FALSE(other.feeds_forward);
-  CHECK(other.position == Approx(5.98).margin(0.005));
+  CHECK(other.position == Approx(pt1_cycles + 2));
   CHECK(other.lead() == 0);
   // 5 ms apart at 4000 mm/min: 166.7 µm on a line at 45°.
   double const feed = 4000 / 0.06;
@@ -83,7 +86,7 @@ TEST_CASE("a time delay of the position alone is a lead, which a delay of the ve
 TEST_CASE("feedforward that G135 switches on, and that nothing can switch on") {
   std::string const off_at_start = pt1 + sercos + "vorsteuer.vorsteuerung VEL\n";
   CHECK_FALSE(budget(off_at_start).feeds_forward);
-  CHECK(budget(off_at_start, FeedforwardState::on).position == Approx(8.98).margin(0.005));
+  CHECK(budget(off_at_start, FeedforwardState::on).position == Approx(pt1_cycles + 5));
   std::string const disabled = off_at_start + "vorsteuer.global_disable 1\n";
   CHECK_FALSE(budget(disabled, FeedforwardState::on).feeds_forward);
 }

@@ -70,6 +70,16 @@ constexpr char const* gantry = R"(, "gantries": [{"master": "x", "slaves": ["x2"
 
 }  // namespace
 
+TEST_CASE(
+    "AX4011: feedforward delays its axis by 5 cycles more; a time delay in the other one makes up for it") {
+  std::string const feedforward =
+      "kenngr.antr_typ 2\nvorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\n";
+  std::string const without = "kenngr.antr_typ 2\n";
+  CHECK(found({{"x", feedforward, ""}, {"y", without + fir(4, 5), ""}}).empty());
+  CHECK(found({{"x", feedforward, ""}, {"y", without, ""}}) == Lines{"x.lis:4:26 AX4024"});
+  CHECK(found({{"x", feedforward + fir(4, 5), ""}, {"y", without, ""}}) == Lines{"x.lis:7:18 AX4011"});
+}
+
 TEST_CASE("AX4011: axes of a channel that are delayed differently") {
   CHECK(found({{"x", fir(1, 20), ""}, {"y", fir(1, 20), ""}}).empty());
   CHECK(found({{"x", fir(1, 20), ""}, {"y", "", ""}}) == Lines{"x.lis:4:18 AX4011"});

@@ -1,6 +1,7 @@
 #include "validator/commands/command_check.hpp"
 
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/joined.hpp"
 #include "schema/closest_word.hpp"
 #include "validator/commands/command_keywords.hpp"
 #include "validator/commands/command_mistake.hpp"
@@ -231,8 +232,7 @@ class CommandChecker {
     usable_ = false;
     CommandMistake& mistake = add(keyword_mistake, keyword.name, says::filter_keyword_unknown,
                                   {{"keyword", name}, {"command", std::string(proper_name(command_.kind))}});
-    std::string all;
-    for (std::string_view const word : known) all.append(all.empty() ? "" : ", ").append(word);
+    std::string all = joined(known);
     if (command_.kind == CommandKind::filter) all.append(", ").append(hsc);
     mistake.notes.push_back({says::filter_keyword_known, {{"keywords", std::move(all)}}});
     std::string_view const closest = schema::closest_word(name, known);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "configuration/machine/filter_command.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_command.hpp"

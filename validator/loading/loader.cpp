@@ -199,8 +199,9 @@ void Loader::add_default_group() {
 
 void Loader::read_dynamics(LoadedGroup& group, configuration::ListedLookAhead look_ahead) {
   configuration::ListedDynamics listed;
+  group.look_ahead_said = look_ahead.function.has_value();
   listed.look_ahead = std::move(look_ahead);
-  for (std::optional<SourceId> const source : {default_channel_list_, group.channel_list}) {
+  for (std::optional<SourceId> const source : {machine_.default_channel_list, group.channel_list}) {
     if (!source) continue;
     configuration::read_channel_dynamics(configuration::listed_values(sources_[*source], *source), listed);
   }

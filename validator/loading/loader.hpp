@@ -107,7 +107,6 @@ class Loader {
   std::map<std::string, SourceId> others_by_path_;  ///< lists of the other kinds
   std::vector<std::size_t> common_programs_;        ///< those that every group runs
   configuration::ChannelList default_channel_;      ///< what channels leave open
-  std::optional<SourceId> default_channel_list_;
 };
 
 /// True where the channel runs the program.

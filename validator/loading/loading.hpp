@@ -52,6 +52,7 @@ struct LoadedGroup {
   std::vector<configuration::UncomputedValue> uncomputed = {};
   std::optional<SourceId> channel_list = {};  ///< none: the control's defaults count
   std::optional<Place> slope_place = {};      ///< of the value of P-CHAN-00071
+  bool look_ahead_said = false;  ///< by the start-up list or the machine file, outside of channel lists
 };
 
 /// A gantry, from the lists and the machine file together.
@@ -78,8 +79,9 @@ struct LoadedMachine {
       false;  ///< the input is a list that a start-up list in its folder does not name
   std::optional<SourceId> list_of_unknown_kind;  ///< the input, if its kind is unknown
   std::optional<std::size_t> default_list;
-  bool knows_all_axes = true;  ///< no list of an axis is missing
-  bool complete = true;        ///< every file that the input names was read and is of its kind
+  std::optional<SourceId> default_channel_list;  ///< of all channels
+  bool knows_all_axes = true;                    ///< no list of an axis is missing
+  bool complete = true;  ///< every file that the input names was read and is of its kind
   std::vector<LoadedAxis> axes;
   std::vector<LoadedProgram> programs;  ///< each file once
   std::vector<configuration::LocatedText>

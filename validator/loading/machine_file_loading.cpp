@@ -46,7 +46,9 @@ void Loader::load_machine_file(SourceId source) {
                                                                       : machine::PositionController::cnc;
     }
   }
-  if (file.default_channel_list) default_channel_list_ = channel_list_named(*file.default_channel_list);
+  if (file.default_channel_list) {
+    machine_.default_channel_list = channel_list_named(*file.default_channel_list);
+  }
   for (configuration::MachineFileGroup const& group : file.groups) add_group(group);
   for (configuration::MachineFileGantry const& gantry : file.gantries) add_claims(gantry);
   for (configuration::LocatedText const& name : file.programs) {

@@ -2,7 +2,6 @@
 #include "diagnostics/ascii.hpp"
 #include "system/path.hpp"
 #include "validator/loading/loader.hpp"
-#include "validator/loading/start_up_channels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,16 @@
 
 namespace axisc::validator {
 namespace {
+
+/// The look-ahead of a channel (P-STUP-00070, 00071); a project says nothing.
+configuration::ListedLookAhead look_ahead_of(StartUp const& start_up, std::uint32_t channel,
+                                             SourceSet const& sources) {
+  configuration::ListedLookAhead listed;
+  if (start_up.is_project) return listed;
+  SourceId const list = start_up.sources.front();
+  configuration::read_look_ahead(configuration::listed_values(sources[list], list), channel, listed);
+  return listed;
+}
 
 using configuration::ChannelAxis;
 using configuration::ListEntry;
@@ -125,7 +134,7 @@ void Loader::load_channels(StartUp& start_up) {
   if (start_up.list.default_channel) {
     auto const source = source_found(start_up, *start_up.list.default_channel, ListKind::channel);
     if (source) default_channel_ = configuration::read_channel_list(sources_[*source], *source);
-    default_channel_list_ = source;
+    machine_.default_channel_list = source;
   }
   for (ListEntry const& entry : start_up.list.channels) {
     if (entry.file.text.empty() || !configuration::is_read(entry, start_up.list.channel_count)) continue;

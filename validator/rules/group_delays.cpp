@@ -2,6 +2,7 @@
 
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/sentences.hpp"
+#include "validator/views/delay_budget.hpp"
 #include "validator/views/gantry.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ Delays delays_of(GroupContext const& context) {
     LoadedAxis const& axis = context.whole.machine.axes[index];
     if (master_of(context.whole.machine, index)) continue;
     if (auto const delay = axis_delay(axis.merged.values, context.whole.cycle_time)) {
-      delays.push_back({axis, *delay});
+      delays.push_back({axis, *delay, delay_after_filters(axis, context.whole.cycle_time)});
     }
   }
   return delays;
@@ -31,6 +32,15 @@ double spread(Delays const& delays) {
   if (delays.empty()) return 0;
   auto const [least, most] = std::minmax_element(delays.begin(), delays.end(), less_delayed);
   return most->delay.cycles - least->delay.cycles;
+}
+
+std::pair<DelayedAxis const*, DelayedAxis const*> extremes_after_filters(Delays const& delays) {
+  if (delays.empty()) return {nullptr, nullptr};
+  auto const less = [](DelayedAxis const& left, DelayedAxis const& right) {
+    return left.after_filters < right.after_filters;
+  };
+  auto const [least, most] = std::minmax_element(delays.begin(), delays.end(), less);
+  return {&*least, &*most};
 }
 
 std::optional<std::size_t> last_cause(Delays const& delays) {
@@ -53,6 +63,11 @@ Message delay_of(DelayedAxis const& axis) {
           {{"axis", axis.axis.name},
            {"cycles", cycles_text(axis.delay.cycles)},
            {"shares", shares_text(axis.delay)}}};
+}
+
+Message delay_after_filters_of(DelayedAxis const& axis) {
+  return {says::group_axis_after_filters,
+          {{"axis", axis.axis.name}, {"cycles", cycles_text(axis.after_filters)}}};
 }
 
 Wording shares_text(AxisDelay const& delay) {

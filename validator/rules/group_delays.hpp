@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace axisc::validator::checks {
@@ -17,6 +18,7 @@ inline constexpr double noticeable_delay = 0.5;
 struct DelayedAxis {
   LoadedAxis const& axis;
   AxisDelay delay;
+  double after_filters = 0;  ///< see delay_after_filters()
 };
 
 using Delays = std::vector<DelayedAxis>;
@@ -26,6 +28,9 @@ using Delays = std::vector<DelayedAxis>;
 [[nodiscard]] Delays delays_of(GroupContext const& context);
 
 [[nodiscard]] bool less_delayed(DelayedAxis const& left, DelayedAxis const& right);
+
+/// The least and the most delayed axis after the filters; null without axes.
+[[nodiscard]] std::pair<DelayedAxis const*, DelayedAxis const*> extremes_after_filters(Delays const& delays);
 
 /// Cycles between the axis that is delayed least and the one that is delayed most.
 [[nodiscard]] double spread(Delays const& delays);
@@ -38,6 +43,8 @@ using Delays = std::vector<DelayedAxis>;
 
 /// States the delay of an axis, and what each of its filters contributes.
 [[nodiscard]] Message delay_of(DelayedAxis const& axis);
+/// States what delays the position of an axis after its filters.
+[[nodiscard]] Message delay_after_filters_of(DelayedAxis const& axis);
 /// "`filter[1]` 3.907, `filter_fir` 20".
 [[nodiscard]] Wording shares_text(AxisDelay const& delay);
 

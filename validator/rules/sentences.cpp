@@ -16,10 +16,15 @@ constinit Sentence const group_axis_delay{"axis \"{axis}\": {cycles} cycles",
                                           "Achse „{axis}“: {cycles} Zyklen"};
 constinit Sentence const group_axis_shares{"axis \"{axis}\": {cycles} cycles ({shares})",
                                            "Achse „{axis}“: {cycles} Zyklen ({shares})"};
+constinit Sentence const group_axis_after_filters{
+    "axis \"{axis}\": {cycles} cycles in addition to its filters",
+    "Achse „{axis}“: {cycles} Zyklen zusätzlich zu ihren Filtern"};
 constinit Sentence const group_help_same{"configure the filters of all axes of a channel alike",
                                          "die Filter aller Achsen eines Kanals gleich konfigurieren"};
 
 constinit Sentence const fir_type_here{"the type of axis {axis} is set here",
                                        "hier wird der Typ der Achse {axis} gesetzt"};
+constinit Sentence const undocumented_reaction{"what it continues with is not documented",
+                                               "womit sie weiterarbeitet, ist nicht dokumentiert"};
 
 }  // namespace axisc::validator::says

@@ -13,7 +13,9 @@ extern Sentence const filter_value_ignored;
 extern Sentence const kernel_reaction_not_active;
 extern Sentence const group_axis_delay;
 extern Sentence const group_axis_shares;
+extern Sentence const group_axis_after_filters;
 extern Sentence const group_help_same;
 extern Sentence const fir_type_here;
+extern Sentence const undocumented_reaction;
 
 }  // namespace axisc::validator::says

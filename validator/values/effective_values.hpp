@@ -38,6 +38,8 @@ struct EffectiveValue {
   bool referenced = false;  ///< the value came through a reference to another parameter
   bool is_target = false;   ///< another parameter takes its value from this one, through a reference
 
+  /// A flag that is usable and set.
+  [[nodiscard]] bool is_on() const { return !unusable && value.flag(); }
   [[nodiscard]] bool set() const { return origin != Origin::internal_default; }
   /// The value token in the list that applies; none for the internal default.
   [[nodiscard]] std::optional<Place> value_place() const {

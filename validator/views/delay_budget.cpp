@@ -1,5 +1,6 @@
 #include "validator/views/delay_budget.hpp"
 
+#include "design/delay_effects.hpp"
 #include "validator/views/axis_delay.hpp"
 #include "validator/views/drive.hpp"
 #include "validator/views/feedforward_view.hpp"
@@ -15,13 +16,6 @@ constexpr double interpolator_cycles = 5;
 /// P-AXIS-00099 counts in hundredths of 1/s.
 constexpr double kv_unit = 1e-2;
 constexpr double micrometres_per_millimetre = 1000;
-
-/// From here on the control takes 0 (AX3045).
-constexpr double refused_quantity_cycles = 6;
-
-bool is_on(EffectiveValue const& flag) {
-  return !flag.unusable && flag.value.flag();
-}
 
 /// A gain that a list gives to a position controller in the NC; null where there is none.
 EffectiveValue const* gain_in_nc(LoadedAxis const& axis) {
@@ -49,9 +43,9 @@ class Budget {
   Budget(LoadedAxis const& axis, design::CycleTime cycle_time, FeedforwardState state)
       : axis_(axis), values_(axis.merged.values), cycle_time_(cycle_time), drive_(stated_drive(axis)) {
     bool const is_switched_on =
-        state == FeedforwardState::on || is_on(values_.at("vorsteuer.default_active"));
-    bool const is_possible = !feedforward_.quantities.unusable && feedforward_.quantities.value.flag() &&
-                             !is_on(values_.at("vorsteuer.global_disable"));
+        state == FeedforwardState::on || values_.at("vorsteuer.default_active").is_on();
+    bool const is_possible =
+        feedforward_.quantities.is_on() && !values_.at("vorsteuer.global_disable").is_on();
     result_.feeds_forward = is_possible && is_switched_on;
     result_.feeds_velocity = result_.feeds_forward && feedforward_.uses(Feedforward::velocity);
   }
@@ -60,20 +54,20 @@ class Budget {
     auto const filters = axis_delay(values_, cycle_time_);
     if (!filters) return std::nullopt;
     add_filters(*filters);
-    if (result_.feeds_forward) add_feedforward();
-    if (is_profidrive()) {
-      EffectiveValue const& balancing = values_.at("vorsteuer.timeconst_sym_filter");
-      add({.kind = DelayKind::balancing,
-           .cause = &balancing,
-           .position = cycles_of(balancing),
-           .is_reading = true});
-    }
+    add_after_filters();
     add_lag();
     return std::move(result_);
   }
 
+  double after_filters() {
+    add_after_filters();
+    return result_.position;
+  }
+
  private:
-  [[nodiscard]] bool is_profidrive() const { return drive_ != nullptr && drive_->number == profidrive; }
+  [[nodiscard]] bool is_profidrive() const {
+    return drive_ != nullptr && drive_->number == machine::profidrive;
+  }
   [[nodiscard]] double cycles_of(EffectiveValue const& time) const {
     return time.unusable ? 0 : cycle_time_.cycles({time.value.number});
   }
@@ -96,7 +90,7 @@ class Budget {
   /// Feedforward is computed from the filtered setpoint; with P-AXIS-00513 the time delay at the end of the
   /// filters acts on the position alone. That FIR and HSC filters lie before the tap as well is a reading.
   void add_filters(AxisDelay const& filters) {
-    bool const delays_position_alone = is_on(values_.at("kenngr.delay_filter_only_position"));
+    bool const delays_position_alone = values_.at("kenngr.delay_filter_only_position").is_on();
     for (std::size_t i = 0; i < filters.shares.size(); ++i) {
       auto const& share = filters.shares[i];
       bool const is_standard = i < filters.filters.size();
@@ -117,9 +111,19 @@ class Budget {
     }
   }
 
+  void add_after_filters() {
+    if (result_.feeds_forward) add_feedforward();
+    if (!is_profidrive()) return;
+    EffectiveValue const& balancing = values_.at("vorsteuer.timeconst_sym_filter");
+    add({.kind = DelayKind::balancing,
+         .cause = &balancing,
+         .position = cycles_of(balancing),
+         .is_reading = true});
+  }
+
   void add_feedforward() {
     EffectiveValue const& undelayed = values_.at("vorsteuer.feedforward_without_delay");
-    if (!is_on(undelayed)) {
+    if (!undelayed.is_on()) {
       // That they count for each axis is a reading.
       add(everywhere({.kind = DelayKind::interpolator, .cause = &undelayed, .is_reading = true},
                      interpolator_cycles));
@@ -131,12 +135,12 @@ class Budget {
       add(std::move(item));
     }
     for (auto const& time : quantity_times) {
-      bool const is_lightbus = time.with_lightbus && drive_ != nullptr && drive_->number == lightbus;
+      bool const is_lightbus = time.with_lightbus && drive_ != nullptr && drive_->number == machine::lightbus;
       bool const reaches_drive = drive_ != nullptr && (drive_->digital || is_lightbus);
       if (!reaches_drive || !feedforward_.uses(time.needs)) continue;
       DelayItem item{.kind = DelayKind::quantity, .cause = &values_.at(time.parameter)};
       double const cycles = cycles_of(*item.cause);
-      if (cycles >= refused_quantity_cycles) continue;
+      if (cycles >= refused_delay_cycles) continue;
       item.*time.path = cycles;
       add(std::move(item));
     }
@@ -150,11 +154,9 @@ class Budget {
     bool const is_known = !numerator.unusable && !denominator.unusable && denominator.value.number > 0;
     if (gain == nullptr || !is_known) return;
     double const weight = result_.feeds_velocity ? numerator.value.number / denominator.value.number : 0;
-    result_.lag = (1 - weight) / (gain->value.number * kv_unit) / cycle_time_.seconds();
+    result_.lag = design::position_lag(weight, gain->value.number * kv_unit) / cycle_time_.seconds();
     add({.kind = DelayKind::lag, .cause = gain, .position = result_.lag, .is_reading = true});
   }
-
-  static constexpr std::uint32_t lightbus = 5;
 
   LoadedAxis const& axis_;
   EffectiveValues const& values_;
@@ -171,16 +173,20 @@ std::optional<DelayBudget> delay_budget(LoadedAxis const& axis, design::CycleTim
   return Budget(axis, cycle_time, state).take();
 }
 
+double delay_after_filters(LoadedAxis const& axis, design::CycleTime cycle_time) {
+  return Budget(axis, cycle_time, FeedforwardState::at_start).after_filters();
+}
+
 double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time) {
-  return feed * mismatch * cycle_time.seconds() / 2;
+  return design::deviation_of_mismatch(feed, mismatch * cycle_time.seconds());
 }
 
 std::optional<double> deviation_of_lead(LoadedAxis const& axis, double lead, design::CycleTime cycle_time) {
   EffectiveValue const* const gain = gain_in_nc(axis);
   EffectiveValue const& acceleration = axis.merged.values.at("getriebe[].dynamik.a_max");
   if (gain == nullptr || acceleration.unusable) return std::nullopt;
-  return acceleration.value.number * micrometres_per_millimetre * lead * cycle_time.seconds() /
-         (gain->value.number * kv_unit);
+  return design::deviation_of_lead(acceleration.value.number * micrometres_per_millimetre,
+                                   lead * cycle_time.seconds(), gain->value.number * kv_unit);
 }
 
 std::optional<double> lowest_velocity_limit(LoadedMachine const& machine, LoadedGroup const& group) {

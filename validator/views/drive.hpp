@@ -5,8 +5,6 @@
 #include "diagnostics/wording.hpp"
 #include "validator/loading/loading.hpp"
 
-#include <cstdint>
-
 namespace axisc::validator {
 
 /// The machine file's drive, else that of P-AXIS-00020, set or not; null for a number that is not documented.
@@ -14,7 +12,6 @@ namespace axisc::validator {
 
 /// The drive that the machine file or a list states; null where neither does.
 [[nodiscard]] machine::DriveType const* stated_drive(LoadedAxis const& axis);
-inline constexpr std::uint32_t profidrive = 3;  ///< of P-AXIS-00020
 
 /// As messages call it: "simulation", in German "Antriebssimulation".
 [[nodiscard]] Wording drive_name(machine::DriveType const& drive);

@@ -7,6 +7,9 @@
 
 namespace axisc::validator {
 
+/// A delay of one quantity of so many NC cycles or more is refused, and 0 counts.
+inline constexpr double refused_delay_cycles = 6;
+
 /// Bits of P-AXIS-00223. A quantity is weighted, or added to the telegram as it is; then it has both bits.
 enum class Feedforward : std::uint32_t {
   velocity = 0x1,

@@ -1,6 +1,6 @@
 #include "validator/views/fir_view.hpp"
 
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // The parameters of an axis' FIR filter, seen together: filter_fir.
 #pragma once
 
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "validator/values/effective_values.hpp"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "design/filter_kinds.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "validator/views/filter_view.hpp"
 
 #include <optional>

@@ -61,7 +61,7 @@ struct PositionControlView {
 
   explicit PositionControlView(EffectiveValues const& values);
 
-  [[nodiscard]] bool enabled() const { return !enable.unusable && enable.value.flag(); }
+  [[nodiscard]] bool enabled() const { return enable.is_on(); }
   /// Stages that work: the function is enabled and their mode is not NOT_ACTIVE.
   [[nodiscard]] std::vector<StageView> active_stages() const;
 };

@@ -1,6 +1,7 @@
 #include "web/interface/questions.hpp"
 
 #include "axisc/answers/contour/contour_answer.hpp"
+#include "axisc/answers/contour/delay_budget_answer.hpp"
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/figures/picture_answer.hpp"
 #include "axisc/answers/machine/machine_answer.hpp"
@@ -53,6 +54,11 @@ Answer contour(Workspace& workspace, Asked const& asked, ErrorSink const& errors
   return written(contour_answer(question, checked->machine, {}), asked, errors.language);
 }
 
+Answer delay_budget(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  auto const found = delay_budget_answer(workspace, {.machine = {.input = asked.text("input")}}, errors);
+  return found ? Answer(written(*found, asked, errors.language)) : std::nullopt;
+}
+
 Answer picture(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
   PictureQuestion question;
   question.input = asked.text("input");
@@ -90,6 +96,7 @@ constexpr std::array questions = {
     Question{.name = "machine", .keys = "input format", .answer = machine},
     Question{.name = "machine_of", .keys = "input", .answer = machine_of},
     Question{.name = "contour", .keys = "input format", .answer = contour},
+    Question{.name = "delay_budget", .keys = "input format", .answer = delay_budget},
     Question{.name = "picture", .keys = "input kind axis group before program plant move", .answer = picture},
     Question{.name = "report", .keys = "input before", .answer = report},
     Question{.name = "explain", .keys = "word format", .answer = explain}};

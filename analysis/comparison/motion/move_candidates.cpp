@@ -1,6 +1,7 @@
 #include "analysis/comparison/motion/move_candidates.hpp"
 
 #include "analysis/comparison/motion/telling_moves.hpp"
+#include "design/units.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -84,10 +85,10 @@ class Candidates {
 
   /// mm/min, no faster than any of the axes.
   [[nodiscard]] std::vector<double> feeds_of(std::vector<std::size_t> const& axes) const {
-    constexpr double per_minute = 60.0 / 1000;  // of µm/s
     double fastest = feeds.back();
     for (auto const axis : axes) {
-      fastest = std::min(fastest, std::floor(dynamics_.axes[axis].feed.velocity * per_minute));
+      fastest =
+          std::min(fastest, std::floor(dynamics_.axes[axis].feed.velocity * design::mm_per_min_of_um_per_s));
     }
     std::vector<double> found;
     for (double const feed : feeds) {

@@ -1,6 +1,7 @@
 #include "analysis/motion/contour/contour_predictions.hpp"
 
 #include "analysis/motion/contour/nearest_point.hpp"
+#include "analysis/motion/contour/plane.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,30 +11,6 @@
 
 namespace axisc::motion {
 namespace {
-
-struct Plane {
-  ChainAnswer const& first;
-  ChainAnswer const& second;
-
-  [[nodiscard]] double reach() const {
-    return std::max(first.reach, second.reach) + std::abs(first.delay - second.delay) + 2;
-  }
-  [[nodiscard]] double latest() const { return std::max(first.delay, second.delay); }
-};
-
-/// The largest figures of the planes of the first axis with each other one.
-template <class Predict>
-ContourFigures over_planes(std::span<ChainAnswer const> answers, Predict predict) {
-  if (answers.size() == 1) return predict(Plane{.first = answers[0], .second = answers[0]});
-  ContourFigures largest;
-  for (std::size_t axis = 1; axis < answers.size(); ++axis) {
-    ContourFigures const here = predict(Plane{.first = answers[0], .second = answers[axis]});
-    largest.deviation = std::max(largest.deviation, here.deviation);
-    largest.axis_error[0] = std::max(largest.axis_error[0], here.axis_error[0]);
-    largest.axis_error[axis] = here.axis_error[1];
-  }
-  return largest;
-}
 
 /// y = v0 (n - D - r) + v1 r
 double passed(ChainAnswer const& answer, double v0, double v1, double cycle) {
@@ -159,21 +136,23 @@ void ContourFigures::take(NearestPoint const& nearest) {
 
 ContourFigures predict_corner(std::span<ChainAnswer const> answers, double velocity, double turn) {
   Corner corner{.u0 = {1, 0}, .u1 = {std::cos(turn), std::sin(turn)}, .velocity = velocity};
-  return over_planes(answers, [&](Plane const& plane) { return measure(corner, plane); });
+  return over_planes(answers, [&](Plane const& plane, std::size_t) { return measure(corner, plane); });
 }
 
 ContourFigures predict_line(std::span<ChainAnswer const> answers, double velocity) {
   double const share = std::numbers::sqrt2 / 2;
   Corner const straight{.u0 = {share, share}, .u1 = {share, share}, .velocity = velocity};
-  return over_planes(answers, [&](Plane const& plane) { return measure(straight, plane); });
+  return over_planes(answers, [&](Plane const& plane, std::size_t) { return measure(straight, plane); });
 }
 
 ContourFigures predict_circle(std::span<ChainAnswer const> answers, double velocity, double radius) {
-  return over_planes(answers, [&](Plane const& plane) { return circle(plane, velocity, radius); });
+  return over_planes(answers,
+                     [&](Plane const& plane, std::size_t) { return circle(plane, velocity, radius); });
 }
 
 double predict_parallel(std::span<ChainAnswer const> answers, double velocity) {
-  auto const figures = over_planes(answers, [&](Plane const& plane) { return parallel(plane, velocity); });
+  auto const figures =
+      over_planes(answers, [&](Plane const& plane, std::size_t) { return parallel(plane, velocity); });
   return figures.deviation;
 }
 

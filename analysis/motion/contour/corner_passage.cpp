@@ -1,6 +1,7 @@
 #include "analysis/motion/contour/corner_passage.hpp"
 
 #include "analysis/motion/contour/nearest_point.hpp"
+#include "analysis/motion/contour/plane.hpp"
 #include "analysis/motion/planning/junction.hpp"
 
 #include <algorithm>
@@ -85,12 +86,10 @@ std::vector<double> filtered(ChainAnswer const& chain, std::vector<double> const
 }
 
 /// The points of the corner's surroundings are those of the setpoints within reach, the corner among them.
-ContourFigures predict_in_plane(ChainAnswer const& first, ChainAnswer const& second,
-                                CornerPassage const& passage) {
-  auto const reach = static_cast<int>(
-      std::ceil(std::max(first.reach, second.reach) + std::abs(first.delay - second.delay) + 2));
-  auto const latest = static_cast<int>(std::round(std::max(first.delay, second.delay)));
-  std::size_t const taps = std::max(first.tap_count(), second.tap_count());
+ContourFigures predict_in_plane(Plane const& plane, CornerPassage const& passage) {
+  auto const reach = static_cast<int>(std::ceil(plane.reach()));
+  auto const latest = static_cast<int>(std::round(plane.latest()));
+  std::size_t const taps = std::max(plane.first.tap_count(), plane.second.tap_count());
   int const begin = latest - 2 * reach;
   std::vector<double> x;
   std::vector<double> y;
@@ -99,8 +98,8 @@ ContourFigures predict_in_plane(ChainAnswer const& first, ChainAnswer const& sec
     x.push_back(setpoint[0]);
     y.push_back(setpoint[1]);
   }
-  auto const x_path = filtered(first, x, taps);
-  auto const y_path = filtered(second, y, taps);
+  auto const x_path = filtered(plane.first, x, taps);
+  auto const y_path = filtered(plane.second, y, taps);
   std::vector<Point> path;
   for (std::size_t i = 0; i < x_path.size(); ++i) path.push_back({x_path[i], y_path[i]});
   SearchedPath const searched(std::move(path));
@@ -139,15 +138,9 @@ std::optional<ContourFigures> predict_passage(std::span<ChainAnswer const> answe
     return answer.reach > longest_passage_reach;
   });
   if (is_far) return std::nullopt;
-  ContourFigures largest;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    std::size_t const second = std::min(i + 1, answers.size() - 1);
-    auto const here = predict_in_plane(answers[0], answers[second], planes[i]);
-    largest.deviation = std::max(largest.deviation, here.deviation);
-    largest.axis_error[0] = std::max(largest.axis_error[0], here.axis_error[0]);
-    largest.axis_error[i + 1] = here.axis_error[1];
-  }
-  return largest;
+  return over_planes(answers, [planes](Plane const& plane, std::size_t number) {
+    return predict_in_plane(plane, planes[number]);
+  });
 }
 
 }  // namespace axisc::motion

@@ -1,7 +1,6 @@
 #include "analysis/motion/planning/single_axis.hpp"
 
 #include "analysis/motion/look_ahead.hpp"
-#include "analysis/motion/planning/junction.hpp"
 
 #include <limits>
 
@@ -33,21 +32,6 @@ std::vector<Phase> phases_of(PathDynamics const& axis, SingleMove const& move) {
   look_ahead.add(block);
   look_ahead.stop();
   return std::move(collector.phases);
-}
-
-double right_angle_velocity(PathDynamics const& axis) {
-  PathDynamics both = axis;
-  both.axes.push_back(axis.axes.front());
-  PathLimits limits(std::move(both));
-  constexpr double any_length = 1;
-  double const any_feed = std::numeric_limits<double>::infinity();
-  ProgrammedBlock first;
-  first.end[0] = any_length;
-  ProgrammedBlock second;
-  second.end = {any_length, any_length};
-  auto const before = limits.block(first, {}, any_length, any_feed, false);
-  auto const after = limits.block(second, first.end, any_length, any_feed, false);
-  return junction_limit(before, after).velocity;
 }
 
 }  // namespace axisc::motion

@@ -1,5 +1,5 @@
-// One axis of a channel alone: from rest over a way to rest, and through a right angle, as the look-ahead
-// plans it with the lists' values.
+// One axis of a channel alone, from rest over a way to rest, as the look-ahead plans it with the lists'
+// values.
 #pragma once
 
 #include "analysis/motion/planning/axis_mode.hpp"
@@ -18,8 +18,5 @@ struct SingleMove {
 
 /// From rest to rest. `axis` has one axis. Empty for a length of 0.
 [[nodiscard]] std::vector<Phase> phases_of(PathDynamics const& axis, SingleMove const& move);
-
-/// Units per cycle: how fast G01 passes from this axis to another one like it, at most its highest velocity.
-[[nodiscard]] double right_angle_velocity(PathDynamics const& axis);
 
 }  // namespace axisc::motion

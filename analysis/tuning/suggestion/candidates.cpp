@@ -1,7 +1,7 @@
 #include "analysis/tuning/suggestion/candidates.hpp"
 
 #include "design/filter_kinds.hpp"
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 
 #include <algorithm>
 #include <array>

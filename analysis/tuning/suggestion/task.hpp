@@ -4,7 +4,7 @@
 #include "analysis/motion/planning/axis_mode.hpp"
 #include "configuration/machine/machine.hpp"
 #include "design/filter_specification.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 #include "design/units.hpp"
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 
 #include "axisc/answers/comparison/motion_words.hpp"
 #include "axisc/answers/labels.hpp"
+#include "diagnostics/joined.hpp"
 #include "diagnostics/writers/json_stream.hpp"
 
 #include <cmath>
@@ -83,12 +84,6 @@ Names words_of(std::size_t key, std::vector<std::uint8_t> const& numbers) {
   return words;
 }
 
-std::string listed(Names const& names) {
-  std::string text;
-  for (auto const& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 bool fits_none(MotionComparison const& result) {
   return !result.best.deviation.fits();
 }
@@ -96,7 +91,7 @@ bool fits_none(MotionComparison const& result) {
 Message left_open(std::size_t key, MotionKeyVerdict const& verdict) {
   return {verdict.acts ? SentenceRef(says::key_open) : SentenceRef(says::key_unseen),
           {{"key", std::string(comparison::motion_key_words().at(key).key)},
-           {"possible", listed(words_of(key, verdict.possible))},
+           {"possible", joined(words_of(key, verdict.possible))},
            {"motion", wording_of(telling_motion_of(static_cast<MotionKey>(key)))}}};
 }
 
@@ -123,7 +118,7 @@ class Answer {
     if (!open.empty()) tell(says::program_tells);
     return {.title = Words(says::motion_title, {{"recording", recorded_.recording},
                                                 {"program", recorded_.program},
-                                                {"axes", listed(recorded_.axes)}}),
+                                                {"axes", joined(recorded_.axes)}}),
             .blocks = std::move(blocks_),
             .csv_table = "readings"};
   }

@@ -5,6 +5,7 @@
 #include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/simulation/followed_program.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/joined.hpp"
 #include "diagnostics/message.hpp"
 #include "presentation/value.hpp"
 
@@ -26,7 +27,7 @@ constexpr Sentence record_it{
     "Programm bis zum Stillstand danach, mit Override 100 %; danach: axisc compare {machine} scope.csv "
     "--program dieses.nc"};
 constexpr Sentence travel_from_here{
-    "The axes move from where they are, and return there. Keep this travel free:",
+    "The axes move from where they are, and return there. Keep this range clear:",
     "Die Achsen bewegen sich von dort aus, wo sie stehen, und kehren dorthin zurück. Diesen Weg freihalten:"};
 constexpr Sentence travel_of_axis{"{axis}: {low} to {high} {unit}", "{axis}: {low} bis {high} {unit}"};
 constexpr Sentence tells_keys{"A recording tells: {keys}.", "Eine Aufzeichnung entscheidet: {keys}."};
@@ -114,11 +115,6 @@ class Text {
   int number_ = 0;
 };
 
-void add_listed(std::string& list, std::string_view name) {
-  if (!list.empty()) list += ", ";
-  list += name;
-}
-
 void describe_travel(TellingProgram const& program, motion::ProgramChannel const& channel, Text& text) {
   auto const travel = travel_of(program);
   text.comment({says::travel_from_here});
@@ -135,11 +131,11 @@ void describe_travel(TellingProgram const& program, motion::ProgramChannel const
 
 void describe_outlook(TellingProgram const& program, Text& text) {
   auto const words = comparison::motion_key_words();
-  std::string told;
+  std::vector<std::string_view> told;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (program.outlook.at(i) == Outlook::told) add_listed(told, words.at(i).key);
+    if (program.outlook.at(i) == Outlook::told) told.push_back(words.at(i).key);
   }
-  if (!told.empty()) text.comment({says::tells_keys, {{"keys", told}}});
+  if (!told.empty()) text.comment({says::tells_keys, {{"keys", joined(told)}}});
   for (std::size_t i = 0; i < words.size(); ++i) {
     auto const outlook = program.outlook.at(i);
     if (outlook == Outlook::told) continue;
@@ -168,11 +164,10 @@ std::string telling_text(machine::Machine const& machine, std::size_t group, std
   auto const words = comparison::motion_key_words();
   for (auto const& part : program.parts) {
     auto const& [key, known] = words.at(comparison::index_of(part.key));
-    std::string readings;
-    for (auto const word : known) add_listed(readings, word);
-    text.comment(
-        {says::told_by,
-         {{"key", key}, {"subject", presentation::wording_of(subject_of(part.key))}, {"words", readings}}});
+    text.comment({says::told_by,
+                  {{"key", key},
+                   {"subject", presentation::wording_of(subject_of(part.key))},
+                   {"words", joined(known)}}});
     for (auto const& line : part.lines) text.line(line);
   }
   text.line("M30");

@@ -4,6 +4,7 @@
 #include "axisc/answers/execution/group_chains.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
+#include "design/units.hpp"
 #include "diagnostics/format_number.hpp"
 #include "validator/loading/loader.hpp"
 
@@ -32,7 +33,6 @@ namespace axisc {
 namespace {
 
 constexpr int shown_digits = 3;
-constexpr double mm_per_min_of_um_per_s = 0.06;
 constexpr double quarter_turn = std::numbers::pi / 2;
 
 /// The corner is between two axes with this chain.
@@ -40,7 +40,7 @@ std::string figures_of(motion::ChainAnswer const& answer, machine::AxisConfigura
                        design::CycleTime cycle_time, Language language) {
   std::vector<Argument> arguments{
       {"delay", format_rounded(answer.delay * cycle_time.microseconds() / 1000, shown_digits)}};
-  double const feed = axis.velocity_limit * mm_per_min_of_um_per_s;
+  double const feed = axis.velocity_limit * design::mm_per_min_of_um_per_s;
   if (axis.type != machine::AxisType::translatory) {
     return render({says::cascade_not_straight, arguments}, language);
   }

@@ -4,6 +4,7 @@
 #include "axisc/answers/contour/passage_blocks.hpp"
 #include "axisc/answers/labels.hpp"
 #include "axisc/checking/path_machine.hpp"
+#include "design/units.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -141,11 +142,10 @@ void add_limits(std::vector<Block>& blocks, GroupContour const& group) {
 /// The slowest of the axes that none of the feeds may exceed.
 std::optional<Message> unreachable_feed(machine::Machine const& machine, machine::MachineGroup const& group,
                                         std::vector<double> const& feeds) {
-  constexpr double mm_per_min_of_um_per_s = 0.06;
   double const fastest = *std::max_element(feeds.begin(), feeds.end());
   for (auto const index : group.axes) {
     auto const& axis = machine.axes[index];
-    double const limit = axis.velocity_limit * mm_per_min_of_um_per_s;
+    double const limit = axis.velocity_limit * design::mm_per_min_of_um_per_s;
     if (axis.type != machine::AxisType::translatory || !(limit > 0) || fastest <= limit) continue;
     return Message{
         .sentence = says::feed_above_limit,

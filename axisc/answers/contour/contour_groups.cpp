@@ -67,13 +67,13 @@ GroupContour predict_contour(ContourGroup const& group, ContourRequest const& wa
                      .cases = {},
                      .passages = {},
                      .dynamics = path_dynamics(group.machine, chains.group()),
+                     .acceleration_factor = acceleration_factor(group.commands),
                      .limits = {}};
   for (auto const axis : chains.group().axes) found.axes.push_back(group.machine.axes[axis].name);
-  double const factor = acceleration_factor(group.commands);
   for (double const feed : wanted.feeds) {
     double const velocity = path_velocity(feed, cycle_time);
-    auto const planes =
-        motion::pass_corner(found.dynamics, {.turn = turn, .feed = velocity, .acceleration_factor = factor});
+    auto const planes = motion::pass_corner(
+        found.dynamics, {.turn = turn, .feed = velocity, .acceleration_factor = found.acceleration_factor});
     auto const slowest =
         std::min_element(planes.begin(), planes.end(),
                          [](auto const& one, auto const& other) { return one.velocity < other.velocity; });

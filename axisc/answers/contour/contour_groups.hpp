@@ -51,6 +51,7 @@ struct GroupContour {
   std::vector<ContourCase> cases;    ///< by feed, then by order
   std::vector<PassedFeed> passages;  ///< by feed
   motion::PathDynamics dynamics;     ///< with which the control passes the corner
+  double acceleration_factor = 1;    ///< ACC_FACT
   std::optional<ContourLimits> limits;
   bool synchronous = true;  ///< all axes have the same delay
 };

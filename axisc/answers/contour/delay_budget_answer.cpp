@@ -1,6 +1,9 @@
 #include "axisc/answers/contour/delay_budget_answer.hpp"
 
 #include "axisc/answers/labels.hpp"
+#include "axisc/checking/compilable.hpp"
+#include "axisc/checking/machine_input.hpp"
+#include "design/units.hpp"
 #include "validator/views/delay_budget.hpp"
 #include "validator/views/drive.hpp"
 #include "validator/views/filter_view.hpp"
@@ -79,7 +82,6 @@ using validator::FeedforwardState;
 
 namespace {
 
-constexpr double mm_per_min_of_um_per_s = 0.06;
 constexpr double rounding = 1e-9;  ///< cycles: sums of the same delays in another order
 
 Quantity cycles(double value) {
@@ -234,7 +236,7 @@ class BudgetBlocks {
     auto const [fast, slow] = std::minmax_element(delayed.begin(), delayed.end(), less);
     double const mismatch = slow->cycles - fast->cycles;
     auto const limit = validator::lowest_velocity_limit(machine_, group);
-    double const feed = feed_.value_or(limit.value_or(0) * mm_per_min_of_um_per_s);
+    double const feed = feed_.value_or(limit.value_or(0) * design::mm_per_min_of_um_per_s);
     std::vector<Field> facts{data("mismatch_cycles", cycles(mismatch)), data("mismatch_ms", time(mismatch))};
     if (mismatch <= rounding) {
       section.blocks.emplace_back(Paragraph{Words(says::in_step, {{"channel", channel}})});
@@ -243,9 +245,9 @@ class BudgetBlocks {
           says::apart_alone,
           {{"channel", channel}, {"slow", slow->name}, {"fast", fast->name}, {"time", time(mismatch)}})});
     } else {
-      auto const deviation =
-          rounded(validator::deviation_of_mismatch(feed / mm_per_min_of_um_per_s, mismatch, cycle_time_),
-                  Unit::micrometre, 4);
+      auto const deviation = rounded(
+          validator::deviation_of_mismatch(feed / design::mm_per_min_of_um_per_s, mismatch, cycle_time_),
+          Unit::micrometre, 4);
       facts.push_back(data("feed_mm_per_min", exact(feed)));
       facts.push_back(data("deviation_um", deviation));
       section.blocks.emplace_back(
@@ -268,11 +270,18 @@ class BudgetBlocks {
 
 }  // namespace
 
-Document delay_budget_answer(validator::LoadedMachine const& machine, design::CycleTime cycle_time,
-                             SourceSet const& sources, std::optional<double> feed) {
+std::optional<Document> delay_budget_answer(Workspace& workspace, DelayBudgetQuestion const& question,
+                                            ErrorSink const& errors) {
+  auto const path = machine_of_input(workspace, question.machine).machine;
+  SourceSet sources;
+  std::optional<validator::LoadedMachine> loaded;
+  auto const checked = check_machine(workspace, path, errors, sources, loaded);
+  if (!checked) return std::nullopt;
+  require_cycle_time(path, *checked);
+  auto const cycle_time = *loaded->cycle_time;
   Document document{.version = 2, .title = says::budget, .blocks = {}, .csv_table = "items"};
   document.blocks.emplace_back(Facts{{data("cycle_time_us", exact(cycle_time.microseconds()))}});
-  document.blocks.emplace_back(BudgetBlocks(machine, cycle_time, sources, feed).section());
+  document.blocks.emplace_back(BudgetBlocks(*loaded, cycle_time, sources, question.feed).section());
   return document;
 }
 

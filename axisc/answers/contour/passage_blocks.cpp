@@ -23,6 +23,9 @@ constexpr Sentence by_step{"with STEP that is a T, acceleration times cycle time
                            "mit STEP ist das a T, Beschleunigung mal Zykluszeit"};
 constexpr Sentence by_weight{"that is {weight} ‰ of a T by P-AXIS-00013 (`a_trans_weight`)",
                              "das sind {weight} ‰ von a T nach P-AXIS-00013 (`a_trans_weight`)"};
+constexpr Sentence by_weight_and_factor{
+    "that is {weight} ‰ of a T by P-AXIS-00013 (`a_trans_weight`) and ACC_FACT",
+    "das sind {weight} ‰ von a T nach P-AXIS-00013 (`a_trans_weight`) und ACC_FACT"};
 constexpr Sentence by_jerk{
     "P-AXIS-00013 (`a_trans_weight`) is 0, which gives a T²/tr, what the jerk does in a cycle",
     "P-AXIS-00013 (`a_trans_weight`) ist 0, das ergibt a T²/tr, was der Ruck in einem Zyklus bewirkt"};
@@ -62,7 +65,8 @@ using namespace presentation;
 constexpr double nearly_a_stop = 0.01;
 
 /// The parameter that decides, as planning/axis_mode.cpp applies them.
-Words reason_of(motion::PathDynamics const& dynamics, std::size_t axis) {
+Words reason_of(GroupContour const& group, std::size_t axis) {
+  auto const& dynamics = group.dynamics;
   auto const& channel = dynamics.channel;
   auto const& own = dynamics.axes[axis];
   double const weight = own.acceleration_transition_weight;
@@ -74,7 +78,10 @@ Words reason_of(motion::PathDynamics const& dynamics, std::size_t axis) {
                              own.curvature_transition_weight > weight;
   if (follows_curve) return says::by_curve_weight;
   if (!weighs) return says::by_missing_jerk;
-  if (weight > 0) return {says::by_weight, {{"weight", exact(weight)}}};
+  if (weight > 0) {
+    SentenceRef const by = group.acceleration_factor == 1 ? says::by_weight : says::by_weight_and_factor;
+    return {by, {{"weight", exact(weight * group.acceleration_factor)}}};
+  }
   return says::by_jerk;
 }
 
@@ -137,7 +144,7 @@ std::vector<Block> passage_blocks(GroupContour const& group, ContourRequest cons
     tell({says::slowed,
           {{"axis", group.axes[*passage.slowed_by]},
            {"step", step},
-           {"reason", reason_of(group.dynamics, *passage.slowed_by)}}});
+           {"reason", reason_of(group, *passage.slowed_by)}}});
   }
   if (!first.passed_corner) {
     tell({says::too_long, {{"cycles", exact(motion::longest_passage_reach)}}});

@@ -1,8 +1,12 @@
 #include "axisc/answers/dynamics/driven_axis.hpp"
 
+#include "analysis/motion/contour/corner_passage.hpp"
 #include "axisc/answers/execution/group_chains.hpp"
+#include "axisc/answers/execution/path_dynamics.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <numbers>
 
 namespace axisc {
 
@@ -42,7 +46,9 @@ PlannedMove DrivenAxis::planned(motion::SingleMove const& move) const {
 }
 
 double DrivenAxis::corner_velocity() const {
-  return velocity(motion::right_angle_velocity(path_));
+  motion::CornerTask const right_angle{.turn = std::numbers::pi / 2,
+                                       .feed = std::numeric_limits<double>::infinity()};
+  return velocity(motion::pass_corner(path_, right_angle).front().velocity);
 }
 
 motion::AxisMode DrivenAxis::mode(bool rapid) const {
@@ -63,12 +69,9 @@ double DrivenAxis::jerk(double value) const {
 }
 
 std::optional<DrivenAxis> driven_axis(machine::Machine const& machine, std::size_t axis) {
-  auto const leading = machine.axes[axis].gantry_master.value_or(axis);
-  auto const group = std::find_if(machine.groups.begin(), machine.groups.end(), [leading](auto const& each) {
-    return std::find(each.axes.begin(), each.axes.end(), leading) != each.axes.end();
-  });
-  if (group == machine.groups.end()) return std::nullopt;
-  return DrivenAxis(machine, leading, *group);
+  auto const channel = channel_of_axis(machine, axis);
+  if (!channel) return std::nullopt;
+  return DrivenAxis(machine, machine.axes[axis].gantry_master.value_or(axis), machine.groups[*channel]);
 }
 
 }  // namespace axisc

@@ -31,13 +31,19 @@ motion::PathDynamics path_dynamics(machine::Machine const& machine, machine::Mac
   return dynamics_of(machine, group.dynamics, group.axes);
 }
 
+std::optional<std::size_t> channel_of_axis(machine::Machine const& machine, std::size_t axis) {
+  auto const leading = machine.axes[axis].gantry_master.value_or(axis);
+  for (std::size_t i = 0; i < machine.groups.size(); ++i) {
+    auto const& axes = machine.groups[i].axes;
+    if (std::find(axes.begin(), axes.end(), leading) != axes.end()) return i;
+  }
+  return std::nullopt;
+}
+
 motion::PathDynamics path_dynamics(machine::Machine const& machine, std::size_t axis) {
-  if (auto const& master = machine.axes[axis].gantry_master) return path_dynamics(machine, *master);
-  auto const own = std::find_if(machine.groups.begin(), machine.groups.end(), [axis](auto const& group) {
-    return std::find(group.axes.begin(), group.axes.end(), axis) != group.axes.end();
-  });
-  return dynamics_of(machine, own != machine.groups.end() ? own->dynamics : machine::ChannelDynamics(),
-                     {axis});
+  auto const channel = channel_of_axis(machine, axis);
+  return dynamics_of(machine, channel ? machine.groups[*channel].dynamics : machine::ChannelDynamics(),
+                     {machine.axes[axis].gantry_master.value_or(axis)});
 }
 
 std::string_view slope_name(machine::Slope slope) {

@@ -6,9 +6,13 @@
 #include "presentation/value.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace axisc {
+
+/// The first channel that moves the axis, of a gantry slave its master; none for a spindle, say.
+[[nodiscard]] std::optional<std::size_t> channel_of_axis(machine::Machine const& machine, std::size_t axis);
 
 /// A path of a channel.
 [[nodiscard]] motion::PathDynamics path_dynamics(machine::Machine const& machine,

@@ -1,6 +1,6 @@
 #include "axisc/answers/execution/port_response.hpp"
 
-#include "design/kernel_analysis.hpp"
+#include "design/kernels/kernel_analysis.hpp"
 
 #include <variant>
 

@@ -3,7 +3,7 @@
 
 #include "axisc/files/image_file.hpp"
 #include "design/filter_analysis.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <optional>
 #include <vector>

@@ -2,6 +2,7 @@
 
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/failure.hpp"
+#include "diagnostics/joined.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <algorithm>
@@ -60,9 +61,7 @@ std::string banks_of(image::ImageContents const& image) {
       if (std::find(banks.begin(), banks.end(), text) == banks.end()) banks.push_back(text);
     }
   }
-  std::string text;
-  for (auto const& bank : banks) text += (text.empty() ? "" : ", ") + bank;
-  return text;
+  return joined(banks);
 }
 
 [[noreturn]] void refuse_bank(TimedCommand const& command, image::ImageContents const& image,

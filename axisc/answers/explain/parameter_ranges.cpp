@@ -1,7 +1,7 @@
 #include "axisc/answers/explain/parameter_ranges.hpp"
 
 #include "design/filter_kinds.hpp"
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "axisc/answers/figures/plots.hpp"
 #include "axisc/answers/labels.hpp"
 #include "design/filter_analysis.hpp"
-#include "design/kernel_analysis.hpp"
+#include "design/kernels/kernel_analysis.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>

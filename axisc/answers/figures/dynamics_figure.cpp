@@ -4,6 +4,7 @@
 #include "axisc/answers/figures/plots.hpp"
 #include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/joined.hpp"
 
 #include <algorithm>
 
@@ -42,6 +43,7 @@ constexpr int shown_digits = 4;
 /// A motion that is drawn.
 struct DrawnMove {
   std::string name;
+  std::string unit;  ///< of ways: "mm", "°"
   pictures::Role role = pictures::Role::whole;
   std::size_t colour = 0;
   DrivenAxis driven;
@@ -68,7 +70,6 @@ class DynamicsFigure {
     figure.title = title();
     figure.description = description();
     figure.table = dynamics_table(rows_, {.feed = exact_number(wanted_.feed_mm_per_min),
-                                          .unit = unit_,
                                           .has_before = subject_.before.has_value(),
                                           .language = subject_.language});
     constexpr double air = 1.04;
@@ -90,18 +91,21 @@ class DynamicsFigure {
     auto const name = subject_.name(axis);
     auto const colour = names_.size();
     names_.push_back(name);
-    note_unit(subject_.now.machine->axes[axis].type);
+    bool const is_linear = subject_.now.machine->axes[axis].type == machine::AxisType::translatory;
+    std::string const unit = is_linear ? "mm" : "°";
+    note(units_, unit);
     std::optional<DrivenState> before;
     if (auto const old = subject_.axis_before(axis)) {
       if (auto const was = driven_axis(*subject_.before->machine, *old)) {
         before = state_of(*was);
-        add(*before, subject_.say(says::dynamics_before, {{"axis", name}}), pictures::Role::before, colour);
+        add(*before, unit, subject_.say(says::dynamics_before, {{"axis", name}}), pictures::Role::before,
+            colour);
       }
     }
     note_slope(*driven);
     auto const now = state_of(*driven);
-    add(now, name, pictures::Role::whole, colour);
-    rows_.push_back({.axis = name, .before = before, .now = now});
+    add(now, unit, name, pictures::Role::whole, colour);
+    rows_.push_back({.axis = name, .unit = unit, .before = before, .now = now});
   }
 
   [[nodiscard]] DrivenState state_of(DrivenAxis const& driven) const {
@@ -109,28 +113,26 @@ class DynamicsFigure {
   }
 
   /// G00 is drawn beside a single axis alone.
-  void add(DrivenState const& state, std::string const& name, pictures::Role role, std::size_t colour) {
+  void add(DrivenState const& state, std::string const& unit, std::string const& name, pictures::Role role,
+           std::size_t colour) {
     auto const& driven = state.driven;
     Wording const feed = exact_number(wanted_.feed_mm_per_min);
     bool const is_single = subject_.axes.size() == 1 && !subject_.before;
     for (auto const& parameter : driven.uncomputed()) note(uncomputed_, parameter);
     moves_.push_back(
         {.name = is_single ? subject_.say(says::dynamics_feed, {{"axis", name}, {"feed", feed}}) : name,
+         .unit = unit,
          .role = role,
          .colour = colour,
          .driven = driven,
          .move = state.at_feed});
     if (!is_single) return;
     moves_.push_back({.name = subject_.say(says::dynamics_rapid, {{"axis", name}}),
+                      .unit = unit,
                       .role = pictures::Role::part,
                       .colour = colour + 1,
                       .driven = driven,
                       .move = state.in_rapid});
-  }
-
-  void note_unit(machine::AxisType type) {
-    std::string const unit = type == machine::AxisType::translatory ? "mm" : "°";
-    if (unit_.find(unit) == std::string::npos) unit_ += (unit_.empty() ? "" : "/") + unit;
   }
 
   void note_slope(DrivenAxis const& driven) {
@@ -145,17 +147,20 @@ class DynamicsFigure {
     if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
   }
 
-  /// "100 mm", "100°".
+  /// "100 mm", "100°", with linear and rotary axes "100 mm, 100°".
   [[nodiscard]] std::string distance() const {
-    return exact_number(wanted_.distance_mm).in(subject_.language) + (unit_ == "°" ? "" : " ") + unit_;
+    std::string const number = exact_number(wanted_.distance_mm).in(subject_.language);
+    std::vector<std::string> distances;
+    for (auto const& unit : units_) distances.push_back(number + (unit == "°" ? "" : " ") + unit);
+    return joined(distances);
+  }
+
+  /// "mm/s", "mm/s, °/s".
+  [[nodiscard]] std::string units_per(std::string_view time) const {
+    return joined(units_, std::string(time) + ", ").append(time);
   }
 
   [[nodiscard]] std::string title() const {
-    auto const joined = [](std::vector<std::string> const& words) {
-      std::string text;
-      for (auto const& word : words) text += (text.empty() ? "" : ", ") + word;
-      return text;
-    };
     auto const title = subject_.say(says::dynamics_title, {{"axes", joined(names_)},
                                                            {"distance", distance()},
                                                            {"feed", exact_number(wanted_.feed_mm_per_min)},
@@ -171,7 +176,7 @@ class DynamicsFigure {
               subject_.say(says::dynamics_said, {{"motion", drawn.name},
                                                  {"time", rounded(drawn.move.seconds)},
                                                  {"velocity", rounded(drawn.move.velocity)},
-                                                 {"unit", unit_ + "/s"}});
+                                                 {"unit", drawn.unit + "/s"}});
     }
     return text;
   }
@@ -219,14 +224,14 @@ class DynamicsFigure {
   }
 
   [[nodiscard]] pictures::Panel velocities() const {
-    return panel(says::dynamics_velocity, unit_ + "/s",
+    return panel(says::dynamics_velocity, units_per("/s"),
                  [](DrivenAxis const& driven, motion::Phase const& phase, double t) {
                    return driven.velocity(phase.velocity_at(t));
                  });
   }
 
   [[nodiscard]] pictures::Panel accelerations() const {
-    return panel(says::dynamics_acceleration, unit_ + "/s²",
+    return panel(says::dynamics_acceleration, units_per("/s²"),
                  [](DrivenAxis const& driven, motion::Phase const& phase, double t) {
                    return driven.acceleration(phase.acceleration_at(t));
                  });
@@ -249,7 +254,7 @@ class DynamicsFigure {
       figure.marks.push_back({.at = seconds,
                               .label = subject_.say(sentence, {{"time", rounded(seconds)},
                                                                {"velocity", rounded(drawn.move.velocity)},
-                                                               {"unit", unit_ + "/s"}})});
+                                                               {"unit", drawn.unit + "/s"}})});
     };
     mark(fast, says::reached_mark);
     if (brakes > fast * (1 + rounding)) mark(brakes, says::braking_mark);
@@ -260,8 +265,7 @@ class DynamicsFigure {
   WantedMove const& wanted_;
   std::vector<DrawnMove> moves_;
   std::vector<DynamicsRows> rows_;
-  std::vector<std::string> names_, slopes_, uncomputed_;
-  std::string unit_;
+  std::vector<std::string> names_, units_, slopes_, uncomputed_;
 };
 
 }  // namespace

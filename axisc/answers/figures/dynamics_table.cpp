@@ -72,7 +72,7 @@ class AxisTable {
       constexpr double ms_per_s = 1000;
       return column.state->driven.seconds(time) * ms_per_s;
     });
-    write_ramps("a/tr", terms_.unit == "mm" ? "m/s³" : "1000 " + unit("/s³"),
+    write_ramps("a/tr", axis_.unit == "mm" ? "m/s³" : "1000 " + unit("/s³"),
                 [](Column const& column, motion::AxisRamp const& ramp, double time) {
                   return column.state->driven.jerk(ramp.acceleration / time);
                 });
@@ -104,7 +104,7 @@ class AxisTable {
   [[nodiscard]] std::string say(SentenceRef sentence, std::vector<Argument> arguments = {}) const {
     return render({sentence, std::move(arguments)}, terms_.language);
   }
-  [[nodiscard]] std::string unit(std::string const& per) const { return terms_.unit + per; }
+  [[nodiscard]] std::string unit(std::string const& per) const { return axis_.unit + per; }
   [[nodiscard]] static std::string label(std::string const& quantity, std::string const& unit) {
     return quantity + " [" + unit + "]";
   }
@@ -174,8 +174,9 @@ class AxisTable {
     bool const are_alike = std::all_of(found.begin(), found.end(),
                                        [&found](Cells const& each) { return each == found.front(); });
     if (are_alike) return write_row(label(quantity, unit), found.front());
-    for (std::size_t i = 0; i < ramps.size(); ++i)
+    for (std::size_t i = 0; i < ramps.size(); ++i) {
       write_row(label_of(quantity, ramps.at(i).name, unit), found[i]);
+    }
   }
 
   pictures::Table& table_;

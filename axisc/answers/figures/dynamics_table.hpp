@@ -19,14 +19,14 @@ struct DrivenState {
 
 struct DynamicsRows {
   std::string axis;
+  std::string unit;  ///< "mm", "°"
   std::optional<DrivenState> before;
   DrivenState now;
 };
 
-/// How the table names its columns and units.
+/// How the table names its columns.
 struct DynamicsTerms {
-  Wording feed;      ///< mm/min
-  std::string unit;  ///< "mm", "°"
+  Wording feed;  ///< mm/min
   bool has_before = false;
   Language language = Language::english;
 };

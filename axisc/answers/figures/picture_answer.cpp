@@ -10,6 +10,7 @@
 #include "axisc/asked/frequencies.hpp"
 #include "axisc/checking/compiled_input.hpp"
 #include "axisc/environment/failure.hpp"
+#include "diagnostics/joined.hpp"
 #include "system/path.hpp"
 
 #include <algorithm>
@@ -158,9 +159,7 @@ std::pair<std::size_t, std::size_t> plane_of(std::optional<std::string> const& w
       if (i != j && (*word == axes[i] + axes[j] || *word == axes[i] + "," + axes[j])) return {i, j};
     }
   }
-  std::string names;
-  for (auto const& axis : axes) names += (names.empty() ? "" : ", ") + axis;
-  throw Failure({says::bad_plane, {{"axes", names}, {"value", *word}}});
+  throw Failure({says::bad_plane, {{"axes", joined(axes)}, {"value", *word}}});
 }
 
 /// None after mistakes in the program, which are printed.

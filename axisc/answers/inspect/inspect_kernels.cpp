@@ -1,7 +1,7 @@
 #include "axisc/answers/inspect/inspect_parts.hpp"
 #include "axisc/answers/labels.hpp"
-#include "design/kernel_analysis.hpp"
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_analysis.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>

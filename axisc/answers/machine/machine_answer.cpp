@@ -2,7 +2,6 @@
 
 #include "axisc/answers/axis_type.hpp"
 #include "axisc/answers/labels.hpp"
-#include "axisc/answers/machine/channel_keys.hpp"
 #include "validator/loading/loader.hpp"
 #include "validator/loading/unreadable_file.hpp"
 #include "validator/sentences.hpp"
@@ -144,7 +143,7 @@ Sections file_axes(LoadedMachine const& machine, SourceSet const& sources) {
   return entries("axes", std::move(axes));
 }
 
-Sections file_groups(LoadedMachine const& machine, ChannelKeys const& keys, SourceSet const& sources) {
+Sections file_groups(LoadedMachine const& machine, SourceSet const& sources) {
   bool const is_project = machine.start_up && machine.start_up->is_project;
   std::vector<std::vector<Field>> groups;
   for (auto const& group : machine.groups) {
@@ -158,8 +157,8 @@ Sections file_groups(LoadedMachine const& machine, ChannelKeys const& keys, Sour
     if (group.channel_list && !is_project) {
       fields.push_back(data("channel_list", sources[*group.channel_list].name()));
     }
-    if (auto const blocks = keys.look_ahead[groups.size() - 1]) {
-      fields.push_back(data("look_ahead_blocks", *blocks));
+    if (group.look_ahead_said) {
+      fields.push_back(data("look_ahead_blocks", group.dynamics.look_ahead_blocks));
     }
   }
   return entries("groups", std::move(groups));
@@ -178,7 +177,7 @@ Sections file_gantries(LoadedMachine const& machine) {
   return entries("gantries", std::move(gantries));
 }
 
-Facts facts_of(LoadedMachine const& machine, ChannelKeys const& keys, SourceSet const& sources) {
+Facts facts_of(LoadedMachine const& machine, SourceSet const& sources) {
   Facts facts{{data("machine", machine.name)}};
   auto& fields = facts.fields;
   Value time = Words(says::no_cycle_time);
@@ -198,10 +197,11 @@ Facts facts_of(LoadedMachine const& machine, ChannelKeys const& keys, SourceSet 
     fields.push_back(data("default_list", sources[list.list.source].name()));
     fields.push_back(shown(says::default_list, list.name));
   }
-  if (keys.default_channel_list) {
-    fields.push_back(data("default_channel_list", *keys.default_channel_list));
-    fields.push_back(
-        shown(says::default_channel_list, std::string(validator::file_name(*keys.default_channel_list))));
+  bool const is_project = machine.start_up && machine.start_up->is_project;
+  if (machine.default_channel_list && !is_project) {
+    auto const& path = sources[*machine.default_channel_list].name();
+    fields.push_back(data("default_channel_list", path));
+    fields.push_back(shown(says::default_channel_list, std::string(validator::file_name(path))));
   }
   return facts;
 }
@@ -239,13 +239,12 @@ std::vector<MachineLack> lacks_of(LoadedMachine const& machine, SourceSet const&
 }
 
 Document machine_answer(LoadedMachine const& machine, SourceSet const& sources) {
-  auto const keys = channel_keys_of(machine, sources);
-  Document answer{.version = 0,
-                  .title = Words(says::machine, {{"machine", machine.name}}),
-                  .blocks = {facts_of(machine, keys, sources), axes_table(machine, sources),
-                             channels_table(machine), lacks_table(machine, sources),
-                             file_axes(machine, sources), file_groups(machine, keys, sources)},
-                  .csv_table = "understood_axes"};
+  Document answer{
+      .version = 0,
+      .title = Words(says::machine, {{"machine", machine.name}}),
+      .blocks = {facts_of(machine, sources), axes_table(machine, sources), channels_table(machine),
+                 lacks_table(machine, sources), file_axes(machine, sources), file_groups(machine, sources)},
+      .csv_table = "understood_axes"};
   auto& blocks = answer.blocks;
   if (!machine.gantry_claims.empty()) blocks.emplace_back(file_gantries(machine));
   Names filter_sets;

@@ -5,6 +5,7 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/output_file.hpp"
 #include "axisc/workspace/changeable_files.hpp"
+#include "diagnostics/joined.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 
 namespace axisc::says {
@@ -81,9 +82,8 @@ ChosenSuggestion chosen_suggestion(Suggested const& suggested, std::size_t numbe
   auto const& edits = found.chosen.edits;
   if (edits.refused) throw Failure({says::not_editable, {{"file", *edits.refused}}});
   if (!found.findings.empty()) {
-    std::string codes;
-    for (auto const& code : found.findings) codes += (codes.empty() ? "" : ", ") + code;
-    throw Failure({says::has_findings, {{"number", std::to_string(number)}, {"codes", codes}}});
+    throw Failure(
+        {says::has_findings, {{"number", std::to_string(number)}, {"codes", joined(found.findings)}}});
   }
   ChangeableFiles const changeable({named});
   for (auto const& [path, bytes] : edits.edited) {

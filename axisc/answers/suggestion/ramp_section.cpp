@@ -10,7 +10,7 @@
 namespace axisc::says {
 
 constexpr Sentence excitation{"excitation: from rest to the feed and back to rest, {slope}",
-                              "Anregung: aus dem Stillstand in den Vorschub und zurück, {slope}"};
+                              "Anregung: aus dem Stillstand auf Vorschubgeschwindigkeit und zurück, {slope}"};
 constexpr Sentence slope_of_option{"slope {slope}, as --slope says", "Slope {slope} nach --slope"};
 constexpr Sentence envelope{
     "at {frequency} these ramps excite at most {share} of what STEP would with the same acceleration",
@@ -24,8 +24,8 @@ constexpr Sentence sin2_is_a_reading{
     "the shape of SIN2 is not documented: these figures are those of a reading (\"sine\" of \"motion\")",
     "die Form von SIN2 ist nicht dokumentiert: diese Werte gelten für eine Lesart („sine“ in „motion“)"};
 constexpr Sentence no_ramp_times{
-    "with STEP no ramp time acts; --slope TRAPEZ compares ramp times with filters, too",
-    "mit STEP wirkt keine Rampenzeit; --slope TRAPEZ vergleicht auch Rampenzeiten mit Filtern"};
+    "ramp times have no effect with STEP; --slope TRAPEZ also compares ramp times with filters",
+    "mit STEP wirken Rampenzeiten nicht; --slope TRAPEZ vergleicht auch Rampenzeiten mit Filtern"};
 
 constexpr Sentence ramp_heading{
     "ramp times of axis {axis} (P-AXIS-00195 to 00198) instead of filters: no delay, no contour deviation",

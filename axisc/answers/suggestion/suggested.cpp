@@ -5,6 +5,7 @@
 #include "axisc/answers/suggestion/resonance_words.hpp"
 #include "axisc/checking/compilable.hpp"
 #include "axisc/environment/failure.hpp"
+#include "design/units.hpp"
 #include "diagnostics/format_number.hpp"
 #include "validator/loading/build_version.hpp"
 
@@ -42,16 +43,6 @@ namespace axisc {
 
 namespace {
 
-/// The channel of an axis; of a gantry slave that of its master.
-std::size_t group_of(machine::Machine const& machine, std::size_t axis) {
-  for (std::size_t i = 0; i < machine.groups.size(); ++i) {
-    auto const& axes = machine.groups[i].axes;
-    if (std::find(axes.begin(), axes.end(), axis) != axes.end()) return i;
-  }
-  if (machine.axes[axis].gantry_master) return group_of(machine, *machine.axes[axis].gantry_master);
-  throw Failure({says::no_channel, {{"axis", machine.axes[axis].name}}});
-}
-
 /// With the slope that the question wants.
 motion::PathDynamics dynamics_of(SuggestQuestion const& question, SuggestionSubject const& subject) {
   auto dynamics = path_dynamics(subject.machine, subject.axis);
@@ -67,11 +58,10 @@ SlopeSource slope_source(SuggestQuestion const& question, tuning::Task const& ta
 /// Without resonances.
 tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& subject,
                      std::optional<Message>& remark) {
-  constexpr double mm_per_min_of_um_per_s = 0.06;
   auto const& machine = subject.machine;
   auto const& axis = machine.axes[subject.axis];
   double feed = question.feed_mm_per_min;
-  double const limit = axis.velocity_limit * mm_per_min_of_um_per_s;
+  double const limit = axis.velocity_limit * design::mm_per_min_of_um_per_s;
   if (limit > 0 && feed > limit) {
     feed = limit;
     remark = {says::feed_limited, {{"axis", axis.name}, {"limit", format_rounded(limit, 6)}}};
@@ -118,12 +108,14 @@ std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& qu
   auto const axis =
       question.axis ? axis_named(machine, *question.axis) : axis_of_list(*loaded, sources, list);
   if (!axis) throw refuse(says::which_axis);
+  auto const channel = channel_of_axis(machine, *axis);
+  if (!channel) throw Failure({says::no_channel, {{"axis", machine.axes[*axis].name}}});
   SuggestionSubject const subject{.path = path,
                                   .workspace = workspace,
                                   .loaded = *loaded,
                                   .sources = sources,
                                   .machine = machine,
-                                  .group = group_of(machine, *axis),
+                                  .group = *channel,
                                   .axis = *axis};
   Suggested found{
       .axis = machine.axes[*axis].name, .group = machine.groups[subject.group].name, .files = checked->files};

@@ -227,7 +227,7 @@ def main():
         print(key, row)
     print("all", total, "outside", outside)
     tellable = total["told"] + total["missed"]
-    bad = total["wrong"] or total["rash"] or outside["wrong"] or outside["rash"] or total["told"] < 0.99 * tellable
+    bad = not tellable or total["wrong"] or total["rash"] or outside["wrong"] or outside["rash"] or total["told"] < 0.99 * tellable
     sys.exit(1 if bad else 0)
 
 

@@ -111,7 +111,7 @@ TEST_CASE("the machine file made of a start-up list keeps the default channel li
   // The channels' parameters are compared, too.
   auto const difference = run_axisc({"diff", "hochlauf.lis", "m.json", "--format", "json"}, there);
   INFO(difference.out << difference.err);
-  CHECK(nlohmann::json::parse(difference.out)["channels"].empty());
+  CHECK(nlohmann::json::parse(difference.out).at("channels").empty());
   // Written again it is the same, with paths from the working folder.
   CHECK(run_axisc({"machine", "m.json", "--format", "json"}, there).out == written);
   CHECK_THAT(run_axisc({"machine", "m.json", "--lang", "de"}, there).out,

@@ -123,7 +123,7 @@ TEST_CASE("motion words: those that change nothing") {
 
 TEST_CASE("motion words: the least velocity through corners, in a program") {
   auto const found = simulated("corners.nc");
-  // a T²/tr, and 60 mm/min: what both blocks of a corner say, the lower one counts.
+  // a T²/tr, and 60 mm/min; of both blocks of a corner the lower one counts, which is a reading.
   std::vector<double> const mm_per_s = {0.04, 0.04, 0.04, 1, 0.04, 0.04, 0};
   REQUIRE(found["blocks"].size() == mm_per_s.size());
   for (std::size_t i = 0; i < mm_per_s.size(); ++i) {

@@ -21,7 +21,7 @@ namespace {
 
 void hsc_enabled_permanently(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
-  if (!is_configured_hsc(filter) || filter.enable.unusable || !filter.enable.value.flag()) return;
+  if (!is_configured_hsc(filter) || !filter.enable.is_on()) return;
   Finding& finding = report.add(filter.enable, {says::headline, {{"filter", filter_name(filter)}}});
   finding.label = Message{says::label, {}};
   relate_prototype(finding, filter);

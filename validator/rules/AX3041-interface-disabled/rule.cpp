@@ -24,7 +24,7 @@ namespace {
 void interface_disabled(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (filter.port != FilterPort::additional_interface) return;
-  if (filter.enable.unusable || !filter.enable.value.flag()) return;
+  if (!filter.enable.is_on()) return;
   EffectiveValue const& interface = context.axis.values.at("lr_param.add_interface.enable");
   if (interface.unusable || interface.value.flag()) return;
   bool const filter_last =

@@ -2,6 +2,7 @@
 
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/feedforward_view.hpp"
 
 #include <string_view>
 
@@ -28,21 +29,21 @@ namespace {
 
 constexpr std::string_view refuses_velocity_time = "70349";
 constexpr std::string_view refuses_acceleration_time = "70348";
-constexpr double most_cycles = 6;
 
 void check(EffectiveValue const& time, std::string_view refusal, AxisContext const& axis, Report& report) {
   if (time.unusable || !configured(time)) return;
   double const cycles = axis.cycle_time.cycles({time.value.number});
   if (cycles < 1) return;
-  bool const is_refused = cycles >= most_cycles;
+  bool const is_refused = cycles >= refused_delay_cycles;
   Finding& finding = report.add(time, {is_refused ? says::headline : says::older_headline, {}});
   if (!is_refused) finding.severity = Severity::note;
   finding.label = time_in_cycles(time.value.number, axis.cycle_time);
   if (is_refused) {
-    finding.notes.push_back({says::limit,
-                             {{"p_axis", parameter_number(time)},
-                              {"parameter", parameter_name(time)},
-                              {"limit", microseconds(most_cycles * axis.cycle_time.microseconds())}}});
+    finding.notes.push_back(
+        {says::limit,
+         {{"p_axis", parameter_number(time)},
+          {"parameter", parameter_name(time)},
+          {"limit", microseconds(refused_delay_cycles * axis.cycle_time.microseconds())}}});
     react(finding, refusal, {says::reaction, {}}, "0");
   } else {
     finding.notes.push_back({says::older_limit, {}});

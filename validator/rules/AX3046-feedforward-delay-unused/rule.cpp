@@ -39,7 +39,7 @@ void feedforward_delay_unused(AxisContext const& axis, Report& report) {
   check_quantity("vorsteuer.jerk_delay_time", Feedforward::added_jerk, "ADD_JERK", axis, report);
 
   machine::DriveType const* const drive = stated_drive(axis.machine.axes[axis.index]);
-  if (drive == nullptr || drive->number == profidrive) return;
+  if (drive == nullptr || drive->number == machine::profidrive) return;
   for (std::string_view const name : {"vorsteuer.shift_time", "vorsteuer.timeconst_cmd_filter"}) {
     EffectiveValue const& time = axis.values.at(name);
     if (time.unusable || !configured(time)) continue;

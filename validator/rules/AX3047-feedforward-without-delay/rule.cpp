@@ -20,7 +20,7 @@ namespace {
 
 void feedforward_without_delay(AxisContext const& axis, Report& report) {
   EffectiveValue const& undelayed = axis.values.at("vorsteuer.feedforward_without_delay");
-  if (undelayed.unusable || !undelayed.value.flag()) return;
+  if (!undelayed.is_on()) return;
   FeedforwardView const feedforward(axis.values);
   if (!feedforward.uses(Feedforward::acceleration) && !feedforward.uses(Feedforward::jerk)) return;
   Finding& finding = report.add(undelayed, {says::headline, {}});

@@ -2,6 +2,7 @@
 
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
 #include "validator/views/feedforward_view.hpp"
 
 #include <string_view>
@@ -14,9 +15,6 @@ constexpr Sentence empty{
     "feedforward is active from the start, but P-AXIS-00223 names nothing to feed forward",
     "die Vorsteuerung ist von Anfang an aktiv, aber P-AXIS-00223 nennt nichts, was vorzusteuern ist"};
 
-constexpr Sentence reaction{"what it continues with is not documented",
-                            "womit sie weiterarbeitet, ist nicht dokumentiert"};
-
 }  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
@@ -25,23 +23,19 @@ namespace {
 constexpr std::string_view disabled_with_quantities = "110343";
 constexpr std::string_view active_without_quantities = "110356";
 
-bool is_on(EffectiveValue const& flag) {
-  return !flag.unusable && flag.value.flag();
-}
-
 void feedforward_contradiction(AxisContext const& axis, Report& report) {
   FeedforwardView const feedforward(axis.values);
   EffectiveValue const& disabled = axis.values.at("vorsteuer.global_disable");
   EffectiveValue const& active = axis.values.at("vorsteuer.default_active");
   EffectiveValue const& quantities = feedforward.quantities;
   if (quantities.unusable) return;
-  if (is_on(disabled) && quantities.value.flag()) {
+  if (disabled.is_on() && quantities.value.flag()) {
     Finding& finding = report.add(disabled, {says::disabled, {{"value", symbol_word(quantities)}}});
-    react(finding, disabled_with_quantities, {says::reaction});
+    react(finding, disabled_with_quantities, {says::undocumented_reaction});
   }
-  if (is_on(active) && feedforward.is_none()) {
+  if (active.is_on() && feedforward.is_none()) {
     Finding& finding = report.add(active, {says::empty, {}});
-    react(finding, active_without_quantities, {says::reaction});
+    react(finding, active_without_quantities, {says::undocumented_reaction});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
 #include "validator/views/drive.hpp"
 
 #include <string_view>
@@ -17,9 +18,6 @@ constexpr Sentence too_short{
 constexpr Sentence limit_unknown{"the control reports it as too small; its limit is not documented",
                                  "die Steuerung meldet sie als zu klein; die Grenze ist nicht dokumentiert"};
 
-constexpr Sentence reaction{"what it continues with is not documented",
-                            "womit sie weiterarbeitet, ist nicht dokumentiert"};
-
 }  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
@@ -32,9 +30,9 @@ void balancing_filter(AxisContext const& axis, Report& report) {
   EffectiveValue const& time = axis.values.at("vorsteuer.timeconst_sym_filter");
   if (time.unusable || !(time.value.number > 0)) return;
   machine::DriveType const* const drive = stated_drive(axis.machine.axes[axis.index]);
-  if (drive != nullptr && drive->number != profidrive) {
+  if (drive != nullptr && drive->number != machine::profidrive) {
     Finding& finding = report.add(time, {says::wrong_drive, {{"drive", drive_name(*drive)}}});
-    react(finding, wrong_drive_number, {says::reaction});
+    react(finding, wrong_drive_number, {says::undocumented_reaction});
     return;
   }
   if (axis.cycle_time.cycles({time.value.number}) >= 1) return;
@@ -42,7 +40,7 @@ void balancing_filter(AxisContext const& axis, Report& report) {
   finding.severity = Severity::warning;
   finding.label = time_in_cycles(time.value.number, axis.cycle_time);
   finding.notes.push_back({says::limit_unknown, {}});
-  react(finding, too_short_number, {says::reaction});
+  react(finding, too_short_number, {says::undocumented_reaction});
 }
 
 }  // namespace

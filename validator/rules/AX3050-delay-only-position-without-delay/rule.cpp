@@ -27,7 +27,7 @@ bool may_be_active_delay(FilterView const& filter) {
 
 void delay_only_position_without_delay(AxisContext const& axis, Report& report) {
   EffectiveValue const& position_alone = axis.values.at("kenngr.delay_filter_only_position");
-  if (position_alone.unusable || !position_alone.value.flag()) return;
+  if (!position_alone.is_on()) return;
   FeedforwardView const feedforward(axis.values);
   bool const has_delay = std::any_of(axis.filters.begin(), axis.filters.end(), may_be_active_delay);
   if (has_delay && !feedforward.is_none()) return;

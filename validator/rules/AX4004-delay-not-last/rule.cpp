@@ -22,7 +22,7 @@ namespace {
 void delay_not_last(FilterContext const& context, Report& report) {
   FilterView const& delay = context.filter;
   EffectiveValue const& position_alone = context.axis.values.at("kenngr.delay_filter_only_position");
-  if (position_alone.unusable || !position_alone.value.flag()) return;
+  if (!position_alone.is_on()) return;
   bool const is_delay = delay.standard_type == design::FilterType::time_delay;
   if (delay.port != FilterPort::setpoint || !delay.active() || !is_delay) return;
   auto const filters = context.axis.filters;

@@ -22,7 +22,7 @@ namespace axisc::validator::checks {
 namespace {
 
 bool guards(EffectiveValue const& active) {
-  return !active.unusable && active.value.flag();
+  return active.is_on();
 }
 
 void fir_with_hsc(AxisContext const& axis, Report& report) {

@@ -17,7 +17,7 @@ namespace axisc::validator::checks {
 namespace {
 
 bool guards(EffectiveValue const& active) {
-  return !active.unusable && active.value.flag();
+  return active.is_on();
 }
 
 void fir_with_vibration_guard(AxisContext const& axis, Report& report) {

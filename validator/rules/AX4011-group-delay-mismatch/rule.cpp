@@ -143,11 +143,18 @@ std::optional<OddAxis> odd_axis(Delays const& delays) {
   return odd;
 }
 
+/// What the axes are delayed by after their filters makes them equal.
+bool makes_up_for_feedforward(Delays const& delays) {
+  Delays whole = delays;
+  for (DelayedAxis& axis : whole) axis.delay.cycles += axis.after_filters;
+  return spread(whole) < noticeable_delay;
+}
+
 void group_delay_mismatch(GroupContext const& context, Report& report) {
   Delays const delays = delays_of(context);
   double const difference = spread(delays);
   auto const last = last_cause(delays);
-  if (difference < noticeable_delay || !last) return;
+  if (difference < noticeable_delay || !last || makes_up_for_feedforward(delays)) return;
   auto const odd = odd_axis(delays);
   std::size_t const reported = odd ? odd->index : *last;
   report.axis = delays[reported].axis.name;
@@ -162,6 +169,10 @@ void group_delay_mismatch(GroupContext const& context, Report& report) {
   }
   for (DelayedAxis const& axis : delays) {
     if (&axis != &delays[reported]) finding.notes.push_back(delay_of(axis));
+  }
+  auto const [least, most] = extremes_after_filters(delays);
+  if (most->after_filters - least->after_filters >= noticeable_delay) {
+    for (DelayedAxis const& axis : delays) finding.notes.push_back(delay_after_filters_of(axis));
   }
   finding.notes.push_back({says::limit, {}});
   if (!odd) relate_others(finding, delays, reported);

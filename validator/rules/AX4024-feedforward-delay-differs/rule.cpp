@@ -1,5 +1,6 @@
 #include "validator/engine/rule.hpp"
 
+#include "design/units.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/group_delays.hpp"
 #include "validator/views/delay_budget.hpp"
@@ -13,8 +14,6 @@ constexpr Sentence headline{
     "the axes of the channel are out of step by {cycles} cycles ({milliseconds}): feedforward differs",
     "die Achsen des Kanals laufen um {cycles} Zyklen ({milliseconds}) auseinander: die Vorsteuerung ist "
     "verschieden"};
-constexpr Sentence axis_part{"axis \"{axis}\": {cycles} cycles in addition to its filters",
-                             "Achse „{axis}“: {cycles} Zyklen zusätzlich zu ihren Filtern"};
 constexpr Sentence deviation{
     "on a line at 45° or a circle at {feed} mm/min that is up to {deviation} µm",
     "auf einer Geraden unter 45° oder einem Kreis mit {feed} mm/min sind das bis zu {deviation} µm"};
@@ -27,24 +26,6 @@ constexpr Sentence help{"use the same feedforward in all axes of the channel",
 
 namespace axisc::validator::checks {
 namespace {
-
-constexpr double mm_per_min_of_um_per_s = 0.06;
-
-struct Part {
-  LoadedAxis const* axis;
-  double cycles = 0;  ///< of the position, on the way to the drive behind the filters
-};
-
-std::optional<Part> part_of(LoadedAxis const& axis, design::CycleTime cycle_time) {
-  auto const budget = delay_budget(axis, cycle_time);
-  if (!budget) return std::nullopt;
-  Part part{.axis = &axis};
-  for (DelayItem const& item : budget->items) {
-    bool const counts = item.kind == DelayKind::interpolator || item.kind == DelayKind::balancing;
-    if (counts) part.cycles += item.position;
-  }
-  return part;
-}
 
 /// The last line of the axis that says something about feedforward; null where no list does.
 EffectiveValue const* line_about_feedforward(LoadedAxis const& axis) {
@@ -61,33 +42,31 @@ EffectiveValue const* line_about_feedforward(LoadedAxis const& axis) {
 }
 
 void feedforward_delay_differs(GroupContext const& context, Report& report) {
+  // Without a line about feedforward nothing differs, and no filter need be designed.
+  bool const is_mentioned =
+      std::any_of(context.group.axes.begin(), context.group.axes.end(), [&](std::size_t index) {
+        return line_about_feedforward(context.whole.machine.axes[index]) != nullptr;
+      });
+  if (!is_mentioned) return;
   design::CycleTime const cycle_time = context.whole.cycle_time;
   // Where filters differ, AX4011 reports the channel.
   Delays const delays = delays_of(context);
   if (delays.size() < 2 || spread(delays) >= noticeable_delay) return;
-  std::vector<Part> parts;
-  for (DelayedAxis const& delayed : delays) {
-    if (auto const part = part_of(delayed.axis, cycle_time)) parts.push_back(*part);
-  }
-  auto const less = [](Part const& left, Part const& right) { return left.cycles < right.cycles; };
-  auto const [least, most] = std::minmax_element(parts.begin(), parts.end(), less);
-  if (least == parts.end() || most->cycles - least->cycles < noticeable_delay) return;
-  double const difference = most->cycles - least->cycles;
-  Part const& reported = line_about_feedforward(*most->axis) != nullptr ? *most : *least;
-  EffectiveValue const* const line = line_about_feedforward(*reported.axis);
+  auto const [least, most] = extremes_after_filters(delays);
+  double const difference = most->after_filters - least->after_filters;
+  if (difference < noticeable_delay) return;
+  DelayedAxis const& reported = line_about_feedforward(most->axis) != nullptr ? *most : *least;
+  EffectiveValue const* const line = line_about_feedforward(reported.axis);
   if (line == nullptr) return;
-  report.axis = reported.axis->name;
+  report.axis = reported.axis.name;
   Finding& finding =
       report.add(*line, {says::headline,
                          {{"cycles", cycles_text(difference)},
                           {"milliseconds", milliseconds(difference * cycle_time.microseconds())}}});
-  for (Part const& part : parts) {
-    finding.notes.push_back(
-        {says::axis_part, {{"axis", part.axis->name}, {"cycles", cycles_text(part.cycles)}}});
-  }
+  for (DelayedAxis const& axis : delays) finding.notes.push_back(delay_after_filters_of(axis));
   if (auto const feed = lowest_velocity_limit(context.whole.machine, context.group)) {
     finding.notes.push_back({says::deviation,
-                             {{"feed", number(*feed * mm_per_min_of_um_per_s)},
+                             {{"feed", number(*feed * design::mm_per_min_of_um_per_s)},
                               {"deviation", number(deviation_of_mismatch(*feed, difference, cycle_time))}}});
   }
   finding.notes.push_back({says::reading, {}});

@@ -30,7 +30,7 @@ namespace {
 void feedforward_lead(AxisContext const& context, Report& report) {
   LoadedAxis const& axis = context.machine.axes[context.index];
   EffectiveValue const& active = context.values.at("vorsteuer.default_active");
-  if (active.unusable || !active.value.flag() || !active.value_place()) return;
+  if (!active.is_on() || !active.value_place()) return;
   auto const budget = delay_budget(axis, context.cycle_time);
   if (!budget || std::abs(budget->lead()) < noticeable_delay) return;
   double const cycles = std::abs(budget->lead());

@@ -1,7 +1,7 @@
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
-#include "design/kernel_design_def.hpp"
-#include "design/kernel_kinds.hpp"
+#include "design/kernels/kernel_design_def.hpp"
+#include "design/kernels/kernel_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The half of a kernel that a specification asks for, in the reading of the control.
 #pragma once
 
-#include "design/kernel_kinds.hpp"
-#include "design/kernel_shapes_def.hpp"
+#include "design/kernels/kernel_kinds.hpp"
+#include "design/kernels/kernel_shapes_def.hpp"
 #include "design/pi_def.hpp"
 
 #include <cmath>

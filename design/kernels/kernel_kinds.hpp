@@ -1,7 +1,7 @@
 // The kernel types, a row each: which values of a specification a type uses, and how long it may be.
 #pragma once
 
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // The whole way from specification to rounded tail sums in one number type.
 #pragma once
 
-#include "design/kernel_design.hpp"
-#include "design/kernel_readings_def.hpp"
+#include "design/kernels/kernel_design.hpp"
+#include "design/kernels/kernel_readings_def.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "design/filter_analysis.hpp"
-#include "design/kernel_design.hpp"
+#include "design/kernels/kernel_design.hpp"
 
 #include <complex>
 #include <vector>
