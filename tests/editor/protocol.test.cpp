@@ -58,7 +58,7 @@ TEST_CASE("the language server refuses what it does not know by the numbers of t
 }
 
 TEST_CASE("a message that is nested too deep is refused, wherever it is deep") {
-  for (std::size_t const levels : {65, 100'000}) {
+  for (std::size_t const levels : {65U, 100'000U}) {
     std::string const deep = std::string(levels, '[') + std::string(levels, ']');
     struct Case {
       std::string message;

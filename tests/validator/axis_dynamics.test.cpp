@@ -234,7 +234,7 @@ TEST_CASE("what counts of each value, what caps it, and the jerk of its ramp") {
       "lslope_profil.d_grenz_stufe_1 1007;lslope_profil.d_grenz_stufe_2 1008;slope_profil.a_beschl 2000;"
       "slope_profil.a_brems 3000;slope_profil.a_grenz 4000;slope_profil.tr_beschl_zu 10000;"
       "slope_profil.tr_beschl_ab 20000;slope_profil.tr_brems_zu 30000;slope_profil.tr_brems_ab 40000;"
-      "slope_profil.tr_grenz 50000;dynamik.tr_geom 25000;dynamik.tr_w_min 7000;dynamik.a_w_max 8000";
+      "slope_profil.tr_grenz 50000;dynamik.tr_geom 25000;dynamik.tr_w_min 7000;dynamik.a_w_max 8000;";
   auto const dynamics = dynamics_of(gear(lines));
   struct Row {
     std::string name;

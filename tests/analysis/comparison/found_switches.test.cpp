@@ -73,7 +73,9 @@ TEST_CASE("switches that nobody named are found to the cycle") {
                           .kernel = state ? configured.kernel : std::nullopt,
                           .fade_cycles = state ? lengths.on : lengths.off});
     }
-    Recording const recording{.input = input, .output = control(input, switches, on, run % 4), .gaps = {}};
+    Recording const recording{.input = input,
+                              .output = control(input, switches, on, static_cast<std::size_t>(run % 4)),
+                              .gaps = {}};
     auto const found = found_switches(recording, configured, lengths);
     INFO(run);
     REQUIRE(found.size() == switches.size());

@@ -549,7 +549,7 @@ TEST_CASE(
   axisrt* runtime = nullptr;
   REQUIRE(axisrt_create(&config, &runtime) == AXISRT_OK);
   axisrt_recorder* recorder = nullptr;
-  for (std::size_t const offset : {0, 1 << 10, (1 << 16) - 64, 1 << 16, (1 << 16) + 64}) {
+  for (std::size_t const offset : {0U, 1U << 10U, (1U << 16U) - 64U, 1U << 16U, (1U << 16U) + 64U}) {
     config.memory = all.data() + offset;
     config.memory_size = all.size() - offset;
     INFO(offset);
