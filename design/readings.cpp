@@ -34,7 +34,16 @@ bool changes(FilterReading reading, FilterSpecification const& wanted) {
 }
 
 bool has_order(KernelType type) {
-  return type != KernelType::time_delay && !kind_of(type).computes_order;
+  return type != KernelType::time_delay && type != KernelType::vibration_guard &&
+         !kind_of(type).computes_order;
+}
+
+bool is_guard(KernelSpecification const& wanted) {
+  return wanted.type == KernelType::vibration_guard;
+}
+
+bool is_symmetrical_guard(KernelSpecification const& wanted) {
+  return is_guard(wanted) && wanted.order == 4;
 }
 
 bool changes(KernelReading reading, KernelSpecification const& wanted) {
@@ -53,6 +62,12 @@ bool changes(KernelReading reading, KernelSpecification const& wanted) {
     case KernelReading::share_undelayed:
       return wanted.type != KernelType::time_delay && wanted.share_percent != 100;
     case KernelReading::share_ignored: return wanted.share_percent != 100;
+    case KernelReading::guard_rounded:
+    case KernelReading::guard_rounded_up:
+    case KernelReading::guard_zero_placed: return is_guard(wanted);
+    case KernelReading::guard_undamped_spacing: return is_guard(wanted) && wanted.quality > 0;
+    case KernelReading::guard_quarters: return is_symmetrical_guard(wanted) && wanted.quality > 0;
+    case KernelReading::guard_uncentred: return is_symmetrical_guard(wanted);
     case KernelReading::documented: break;
   }
   return false;

@@ -46,6 +46,24 @@ enum class KernelReading : std::uint8_t {
   novib_one_box,    ///< one box of a period, not two convolved
   share_undelayed,  ///< the unfiltered share passes undelayed
   share_ignored,    ///< as with 100 %
+  // Of Vibration Guard (design/vibration_guard.hpp):
+  guard_rounded,           ///< each impulse on the nearest cycle, mode 4 from 0 on
+  guard_rounded_up,        ///< each impulse on the next cycle, mode 4 from 0 on
+  guard_zero_placed,       ///< taps that place a zero exactly on the oscillation
+  guard_undamped_spacing,  ///< impulses half a period of the undamped frequency apart
+  guard_quarters,          ///< mode 4: 1/4, 1/2, 1/4
+  guard_uncentred,         ///< mode 4 from 0 on, split between cycles
+};
+
+/// Those of Vibration Guard by themselves, as settings name them.
+enum class GuardReading : std::uint8_t {
+  documented = 0,
+  rounded,
+  rounded_up,
+  zero_placed,
+  undamped_spacing,
+  quarters,
+  uncentred
 };
 
 /// Readings of the cycle time for which standard filters and kernels are computed.
@@ -55,6 +73,7 @@ enum class CycleReading : std::uint8_t { documented = 0, twice, half, fourfold, 
 struct Readings {
   FilterReading filters = FilterReading::documented;
   KernelReading kernels = KernelReading::documented;
+  GuardReading guard = GuardReading::documented;
   CycleReading cycle_time = CycleReading::documented;
 
   friend constexpr bool operator==(Readings const&, Readings const&) = default;
@@ -68,11 +87,28 @@ inline constexpr std::array<std::string_view, 12> filter_reading_words{
     "documented",    "no-prewarping",      "backward-euler",   "forward-euler",          "matched",
     "matched-poles", "poles-at-frequency", "analogue-quality", "half-gain-at-frequency", "quality-of-poles",
     "bessel-delay",  "allpass-phase"};
-inline constexpr std::array<std::string_view, 14> kernel_reading_words{
-    "documented",          "taps-n",           "taps-n-plus-1",    "half-width-rounded-down",
-    "order-is-half-width", "gaussian-width-1", "gaussian-width-2", "gaussian-width-3",
-    "sinc-hann",           "sinc-blackman",    "sinc-no-window",   "novib-one-box",
-    "share-undelayed",     "share-ignored"};
+inline constexpr std::array<std::string_view, 20> kernel_reading_words{"documented",
+                                                                       "taps-n",
+                                                                       "taps-n-plus-1",
+                                                                       "half-width-rounded-down",
+                                                                       "order-is-half-width",
+                                                                       "gaussian-width-1",
+                                                                       "gaussian-width-2",
+                                                                       "gaussian-width-3",
+                                                                       "sinc-hann",
+                                                                       "sinc-blackman",
+                                                                       "sinc-no-window",
+                                                                       "novib-one-box",
+                                                                       "share-undelayed",
+                                                                       "share-ignored",
+                                                                       "rounded",
+                                                                       "rounded-up",
+                                                                       "zero-placed",
+                                                                       "undamped-spacing",
+                                                                       "quarter-half-quarter",
+                                                                       "uncentred"};
+/// Of FIR and HSC filters; those of Vibration Guard follow.
+inline constexpr std::size_t linear_phase_readings = 14;
 inline constexpr std::array<std::string_view, 5> cycle_reading_words{"documented", "double", "half",
                                                                      "fourfold", "quarter"};
 
@@ -82,6 +118,26 @@ inline constexpr std::array<std::string_view, 5> cycle_reading_words{"documented
 [[nodiscard]] constexpr std::string_view word_of(KernelReading reading) {
   return kernel_reading_words[static_cast<std::size_t>(reading)];
 }
+inline constexpr std::array<std::string_view, 7> guard_reading_words{
+    "documented",           "rounded",  "rounded-up", "zero-placed", "undamped-spacing",
+    "quarter-half-quarter", "uncentred"};
+
+[[nodiscard]] constexpr std::string_view word_of(GuardReading reading) {
+  return guard_reading_words[static_cast<std::size_t>(reading)];
+}
+/// The same reading among those of all kernels, whose numbers images have.
+[[nodiscard]] constexpr KernelReading kernel_reading(GuardReading reading) {
+  auto const number = static_cast<std::size_t>(reading);
+  return static_cast<KernelReading>(number == 0 ? 0 : linear_phase_readings - 1 + number);
+}
+/// The reverse; documented for those of other kernels.
+[[nodiscard]] constexpr GuardReading guard_reading(KernelReading reading) {
+  auto const number = static_cast<std::size_t>(reading);
+  bool const is_of_guards = number >= linear_phase_readings;
+  return static_cast<GuardReading>(is_of_guards ? number + 1 - linear_phase_readings : 0);
+}
+static_assert(kernel_reading(GuardReading::uncentred) == KernelReading::guard_uncentred);
+
 [[nodiscard]] constexpr std::string_view word_of(CycleReading reading) {
   return cycle_reading_words[static_cast<std::size_t>(reading)];
 }

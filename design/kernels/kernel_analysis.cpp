@@ -30,14 +30,16 @@ enum class Shape : std::uint8_t {
   odd,      ///< symmetrical about a tap
   even,     ///< symmetrical about the middle between two
   delay,    ///< two taps, the first and the last
-  blended,  ///< symmetrical but for an undelayed share
+  blended,  ///< any others: an undelayed share, impulses of a guard
 };
 
 Shape shape_of(KernelDesign const& kernel) {
   auto const& tails = kernel.tail_sums;
   if (kernel.half_width > 0) return Shape::odd;
   if (tails.front() == tails.back()) return Shape::delay;
-  return tails.size() % 2 == 1 && tails[tails.size() / 2] == 0.5 ? Shape::even : Shape::blended;
+  bool const is_even = tails.size() % 2 == 1 && tails[tails.size() / 2] == 0.5 &&
+                       std::abs(tails.front() + tails.back() - 1) < 0x1p-40;
+  return is_even ? Shape::even : Shape::blended;
 }
 
 bool is_linear_phase(KernelDesign const& kernel) {
@@ -255,7 +257,8 @@ StepFigures step_figures(KernelDesign const& kernel, double tolerance) {
     if (!(std::abs(tail) <= tolerance)) figures.settling_cycles = n + 1;
     previous = tail;
   }
-  constexpr double rounding = 0x1p-44;  // of up to 201 differences, and as many sums
+  // Of up to 201, in a guard of 961 differences, and as many sums.
+  double const rounding = kernel.tail_sums.size() <= longest_kernel_order ? 0x1p-44 : 0x1p-42;
   figures.peak_gain = 1 + 2 * negative;
   figures.peak_gain_bound = negative == 0 ? 1 : std::nextafter(1 + 2 * negative * (1 + rounding), HUGE_VAL);
   return figures;

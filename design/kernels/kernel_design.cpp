@@ -2,6 +2,7 @@
 
 #include "design/kernels/kernel_design_def.hpp"
 #include "design/kernels/kernel_kinds.hpp"
+#include "design/kernels/vibration_guard_def.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,10 @@ bool passes_unchanged(KernelSpecification const& specification) {
 
 std::uint32_t tap_count(KernelSpecification const& specification, CycleTime cycle_time) {
   if (passes_unchanged(specification)) return 1;
+  if (specification.type == KernelType::vibration_guard) {
+    auto const computed_for = as_read(cycle_time, specification.cycle_time);
+    return static_cast<std::uint32_t>(guard_taps<double>(specification, computed_for).size());
+  }
   std::uint32_t const N = specification.order;
   if (specification.type == KernelType::time_delay) return N + 1;
   switch (applied_reading(specification)) {
@@ -77,6 +82,9 @@ std::uint32_t longest_order(KernelType type, KernelReading reading) {
 }
 
 double kernel_delay_cycles(KernelSpecification const& specification, CycleTime cycle_time) {
+  if (specification.type == KernelType::vibration_guard) {
+    return design_kernel(specification, cycle_time).group_delay_cycles;
+  }
   double const whole = tap_count(specification, cycle_time) - 1;
   KernelReading const reading = applied_reading(specification);
   double const share = specification.share_percent / 100;

@@ -1,4 +1,4 @@
-// Linear-phase FIR kernels: `filter_fir` and the HSC filters (spec "filter mathematics", section 2).
+// FIR kernels: `filter_fir`, the HSC filters (spec "filter mathematics", section 2) and Vibration Guard.
 //
 // A kernel b_k, k = -h..h, sums to 1 and is handed on as tail sums  S_j = Σ_{k>j} b_k  of the causal taps,
 // each rounded once, so that  y[n] = x[n] - Σ_j S_j d[n-j],  d[n] = x[n] - x[n-1],  has DC gain 1 by
@@ -9,12 +9,13 @@
 //   windowed sinc   sinc(2 fcut T k)·(0.54 + 0.46 cos(πk/h))
 //   time delay      δ(k - N), not symmetrical
 //   NoVib           a box of one period of f0, convolved with itself: a double zero on f0
+//   Vibration Guard two to four impulses, half a damped period apart (design/kernels/vibration_guard.hpp)
 //
 // Order N means h = ceil(N/2), 2h + 1 taps and a delay of h cycles. The share s blends through the centre
 // tap, b'_k = s b_k + (1 - s) δ_k, which keeps the phase linear; the time delay blends with the undelayed
-// signal. Other readings (design/readings.hpp) have other widths, shapes or shares; with an even number of
-// taps the delay has half a cycle in it, and the share passes half through each of the two taps in the
-// middle.
+// signal; Vibration Guard has no share. Other readings (design/readings.hpp) have other widths, shapes or
+// shares; with an even number of taps the delay has half a cycle in it, and the share passes half through
+// each of the two taps in the middle.
 #pragma once
 
 #include "design/readings.hpp"
@@ -26,16 +27,26 @@
 
 namespace axisc::design {
 
-enum class KernelType : std::uint8_t { moving_average, gaussian, windowed_sinc, time_delay, novib };
+enum class KernelType : std::uint8_t {
+  moving_average,
+  gaussian,
+  windowed_sinc,
+  time_delay,
+  novib,
+  vibration_guard
+};
 
 /// Largest order of every kernel but the time delay.
 inline constexpr std::uint32_t longest_kernel_order = 200;
 /// Largest order of the time delay.
 inline constexpr std::uint32_t longest_kernel_delay = 100;
+/// Tail sums of the longest Vibration Guard that a runtime takes.
+inline constexpr std::uint32_t longest_guard = 960;
 
-/// Ranges: order 1..200 (time_delay 1..100), 0 is off; frequency: cut-off of the windowed sinc, or the
-/// frequency that NoVib suppresses (see lowest_novib_frequency), 0 < f < 0.5/T, ignored by the others;
-/// quality: Gaussian only, 0 < q ≤ 1; share_percent 0..100 (0 passes the signal on undelayed).
+/// Ranges: order 1..200 (time_delay 1..100; MODE of Vibration Guard, 1..4), 0 is off; frequency: cut-off of
+/// the windowed sinc, or the frequency that NoVib (see lowest_novib_frequency) or Vibration Guard suppresses,
+/// 0 < f < 0.5/T, ignored by the others; quality: of the Gaussian, 0 < q ≤ 1, or the damping ratio D of
+/// Vibration Guard, 0 ≤ D < 1; share_percent 0..100 (0 passes the signal on undelayed).
 struct KernelSpecification {
   KernelType type = KernelType::moving_average;
   std::uint32_t order = 1;  ///< computed by NoVib itself
@@ -49,11 +60,12 @@ struct KernelSpecification {
 };
 
 struct KernelDesign {
-  /// h; 0 for the time delay, an even number of taps, and where the signal passes unchanged
+  /// h; 0 for the time delay, modes 1 to 3 of Vibration Guard, an even number of taps, and where the signal
+  /// passes unchanged
   std::uint32_t half_width = 0;
   std::uint32_t delay_cycles = 0;  ///< h where that is not 0, else as many as there are tail sums
   double group_delay_cycles =
-      0;  ///< at 0 Hz; not a whole number with an even number of taps, or where a delay blends
+      0;  ///< at 0 Hz; not a whole number with an even number of taps, where a delay blends, and for a guard
   std::vector<double> tail_sums{};  ///< S_0, S_1, …: 2h or N of them; empty where the signal passes unchanged
   std::vector<double> taps{1.0};    ///< causal taps b_0, b_1, …, share included, for display and analysis
   double kernel_sum = 1;            ///< of the taps that the tail sums represent: telescopes to exactly 1
@@ -72,7 +84,7 @@ struct KernelDesign {
 [[nodiscard]] std::uint32_t tap_count(KernelSpecification const& specification, CycleTime cycle_time);
 /// Largest order of a type whose kernel has no more tail sums than a runtime takes.
 [[nodiscard]] std::uint32_t longest_order(KernelType type, KernelReading reading);
-/// Delay at 0 Hz in cycles, without designing the kernel.
+/// Delay at 0 Hz in cycles, without designing the kernel, unless it is a guard.
 [[nodiscard]] double kernel_delay_cycles(KernelSpecification const& specification, CycleTime cycle_time);
 
 /// N = floor(time / T + 0.5), without rounding errors for whole nanoseconds; none where time < T (the filter

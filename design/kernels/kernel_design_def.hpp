@@ -3,6 +3,7 @@
 
 #include "design/kernels/kernel_design.hpp"
 #include "design/kernels/kernel_readings_def.hpp"
+#include "design/kernels/vibration_guard_def.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -91,9 +92,34 @@ void store_undelayed_share(HalfKernel<Number> const& c, Number const& share, Ker
   store_taps(taps, design);
 }
 
+/// Symmetrical where the reading leaves mode 4 so: both halves of the tail sums belong together then.
+template <typename Number>
+[[nodiscard]] KernelDesign design_guard(KernelSpecification const& guard, CycleTime cycle_time) {
+  KernelDesign design;
+  std::vector<Number> const taps = guard_taps<Number>(guard, cycle_time);
+  if (is_symmetrical_guard(guard)) {
+    std::size_t const h = taps.size() / 2;
+    design.half_width = static_cast<std::uint32_t>(h);
+    store_kernel(HalfKernel<Number>(taps.begin() + static_cast<std::ptrdiff_t>(h), taps.end()), Number(1),
+                 design);
+    design.delay_cycles = design.half_width;
+    design.group_delay_cycles = static_cast<double>(h);
+    return design;
+  }
+  store_taps(taps, design);
+  design.delay_cycles = static_cast<std::uint32_t>(taps.size() - 1);
+  Number delay{0};
+  for (std::size_t k = 1; k < taps.size(); ++k) delay += taps[k] * static_cast<unsigned>(k);
+  design.group_delay_cycles = rounded(delay);
+  return design;
+}
+
 template <typename Number>
 [[nodiscard]] KernelDesign design_kernel_in(KernelSpecification const& specification, CycleTime cycle_time) {
   if (passes_unchanged(specification)) return {};
+  if (specification.type == KernelType::vibration_guard) {
+    return design_guard<Number>(specification, as_read(cycle_time, specification.cycle_time));
+  }
   KernelReading const reading = applied_reading(specification);
   KernelDesign design;
   design.group_delay_cycles = kernel_delay_cycles(specification, cycle_time);

@@ -28,6 +28,10 @@ inline constexpr std::array kernel_kinds{
                .longest_order = longest_kernel_order,
                .uses_frequency = true,
                .computes_order = true},
+    KernelKind{.type = KernelType::vibration_guard,
+               .longest_order = 4,  // its modes
+               .uses_frequency = true,
+               .uses_quality = true},
 };
 
 static_assert([] {

@@ -69,7 +69,7 @@ template <typename Number>
     case KernelType::novib: return novib(h / 2, angle_per_cycle<Number>(wanted.frequency, cycle_time));
     case KernelType::moving_average:
     case KernelType::time_delay:  // not symmetrical
-      break;
+    case KernelType::vibration_guard: break;
   }
   return moving_average<Number>(h);
 }
