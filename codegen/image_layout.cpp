@@ -60,7 +60,7 @@ std::vector<std::byte> assemble_image(ImageHeader const& header,
   Record<records::header> record(bytes.first(records::header::bytes));
   record.set(fields::header::magic, {'A', 'X', 'I', 'M'});
   record.set(fields::header::format_major, axim_major);
-  record.set(fields::header::format_minor, axim_minor);
+  record.set(fields::header::format_minor, header.format_minor);
   record.set(fields::header::header_size, records::header::bytes);
   record.set(fields::header::total_size, total_size);
   record.set(fields::header::section_count, static_cast<std::uint32_t>(sections.size()));

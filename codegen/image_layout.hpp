@@ -67,6 +67,7 @@ class TextPool {
 
 /// The contents of the header besides sizes and checksums.
 struct ImageHeader {
+  std::uint16_t format_minor = axim_minor;
   std::uint32_t cycle_time_ns = 0;
   std::uint32_t axis_count = 0;
   std::uint32_t image_version = 0;

@@ -6,6 +6,7 @@
 #include "codegen/kernel_records.hpp"
 #include "codegen/source_digest.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -38,7 +39,8 @@ class ImageBuilder {
       for (machine::MachineList const& list : machine_.lists) add_list(list);
       for (std::uint32_t axis = 0; axis < machine_.axes.size(); ++axis) add_values(axis);
     }
-    return assemble_image({.cycle_time_ns = machine_.cycle_time.nanoseconds,
+    return assemble_image({.format_minor = format_minor(plan),
+                           .cycle_time_ns = machine_.cycle_time.nanoseconds,
                            .axis_count = static_cast<std::uint32_t>(machine_.axes.size()),
                            .image_version = options_.image_version,
                            .source_digest = source_digest(machine_.lists),
@@ -47,6 +49,15 @@ class ImageBuilder {
   }
 
  private:
+  /// The least one whose readers execute the image.
+  [[nodiscard]] static std::uint16_t format_minor(KernelPlan const& plan) {
+    constexpr std::uint16_t without_guards = 1;
+    bool const has_guard = std::any_of(plan.slots.begin(), plan.slots.end(), [](PlannedSlot const& slot) {
+      return slot.family == machine::KernelFamily::guard;
+    });
+    return has_guard ? std::uint16_t{axim_minor} : without_guards;
+  }
+
   void add_axis(machine::AxisConfiguration const& axis) {
     std::uint32_t const axis_index = tables_.axes.count();
     Range const chain = filter_records_.add(axis_index, axim_port_setpoint, axis.filters);

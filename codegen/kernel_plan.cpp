@@ -46,6 +46,7 @@ class Planner {
     PlannedGroup planned{.name = group.name, .members = {}, .banks = {}, .off_fade_cycles = 0};
     bool has_slot = false;
     bool has_hsc = false;
+    bool has_guard = false;
     for (std::size_t const axis : group.axes) {
       if (auto const slot_index = slot_of_axis_[axis]) {
         PlannedSlot& slot = plan_.slots[*slot_index];
@@ -53,15 +54,19 @@ class Planner {
         slot.group = index;
         slot.member = planned.members.size();
         has_slot = true;
-        has_hsc = has_hsc || is_hsc(slot);
+        has_hsc = has_hsc || slot.family == machine::KernelFamily::hsc;
+        has_guard = has_guard || slot.family == machine::KernelFamily::guard;
       }
       planned.members.push_back(axis);
     }
     if (!has_slot) return;
     plan_.groups.push_back(std::move(planned));
     add_bank(index, {}, false);
-    for (auto const& parameters : group.filter_sets) add_bank(index, parameters, false);
+    for (auto const& parameters : group.filter_sets) {
+      if (!parameters.empty()) add_bank(index, parameters, false);
+    }
     if (has_hsc) add_bank(index, {}, true);
+    if (has_guard) add_bank(index, machine::guard_parameters(), false);
   }
 
   void add_bank(std::size_t group, machine::FilterParameters const& parameters, bool hsc) {
@@ -78,14 +83,12 @@ class Planner {
     auto const slot_index = slot_of_axis_[plan_.groups[group].members[member]];
     if (!slot_index) return no_kernel;
     PlannedSlot const& slot = plan_.slots[*slot_index];
-    if (is_hsc(slot) != bank.hsc) return no_kernel;
+    if (slot.family != family_of(bank)) return no_kernel;
     auto const& listed = machine_.axes[slot.axis].kernel->specification;
     std::uint32_t const kernel = kernels_.index_of(with_parameters(listed, bank.parameters));
     reachable_[*slot_index].insert(kernel);
     return kernel;
   }
-
-  static bool is_hsc(PlannedSlot const& slot) { return slot.family == machine::KernelFamily::hsc; }
 
   [[nodiscard]] std::uint32_t longest(PlannedSlot const& slot) const {
     std::size_t tails = 0;
@@ -115,11 +118,18 @@ class Planner {
   void set_fades(PlannedGroup& group) const {
     for (PlannedBank& bank : group.banks) {
       bank.fade_cycles = group_fade(group, [&](PlannedSlot const& slot, std::size_t member) {
-        return is_hsc(slot) == bank.hsc ? std::optional(bank.choices[member]) : std::nullopt;
+        return slot.family == family_of(bank) ? std::optional(bank.choices[member]) : std::nullopt;
       });
     }
-    group.off_fade_cycles =
+    // At the program's end guards return to the lists' values, which a runtime takes for a switch to OFF.
+    std::uint32_t const off =
         group_fade(group, [](PlannedSlot const&, std::size_t) { return std::optional(no_kernel); });
+    group.off_fade_cycles = off;
+    for (PlannedBank const& bank : group.banks) {
+      if (!bank.parameters.guard || !bank.parameters.empty()) continue;
+      bool const only_at_rest = off == 0 || bank.fade_cycles == 0;
+      group.off_fade_cycles = only_at_rest ? 0 : std::max(off, bank.fade_cycles);
+    }
   }
 
   template <class TargetOf>

@@ -13,7 +13,7 @@
 
 namespace axisc::codegen {
 
-/// The linear-phase filter of an axis.
+/// The kernel of an axis.
 struct PlannedSlot {
   std::size_t axis = 0;
   machine::KernelFamily family = machine::KernelFamily::fir;
@@ -25,7 +25,7 @@ struct PlannedSlot {
   std::size_t member = 0;            ///< place in its group
 };
 
-/// A set of #FILTER parameters.
+/// A set of parameters of #FILTER or #VIB GUARD.
 struct PlannedBank {
   machine::FilterParameters parameters;
   bool hsc = false;
@@ -33,10 +33,16 @@ struct PlannedBank {
   std::uint32_t fade_cycles = 0;       ///< 0: at standstill only
 };
 
+/// The filters that a bank is for.
+[[nodiscard]] inline machine::KernelFamily family_of(PlannedBank const& bank) {
+  if (bank.parameters.guard) return machine::KernelFamily::guard;
+  return bank.hsc ? machine::KernelFamily::hsc : machine::KernelFamily::fir;
+}
+
 struct PlannedGroup {
   std::string name;
   std::vector<std::size_t> members;  ///< axes
-  std::vector<PlannedBank> banks;    ///< the first holds the lists' values
+  std::vector<PlannedBank> banks;    ///< the first holds the lists' values of #FILTER
   std::uint32_t off_fade_cycles = 0;
 };
 

@@ -49,6 +49,7 @@ std::uint32_t keywords(PlannedBank const& bank) {
   if (bank.parameters.frequency) keywords |= axim_keyword_fcut;
   if (bank.parameters.quality) keywords |= axim_keyword_quality;
   if (bank.hsc) keywords |= axim_keyword_hsc;
+  if (bank.parameters.guard) keywords |= axim_keyword_guard;
   return keywords;
 }
 

@@ -41,7 +41,7 @@ struct ImageKernel {
   std::vector<double> self_test_output;
 };
 
-/// The linear-phase filter of an axis.
+/// The kernel of an axis.
 struct ImageSlot {
   machine::KernelFamily family = machine::KernelFamily::fir;
   std::uint32_t index = 0;
@@ -55,6 +55,11 @@ struct ImageBank {
   bool hsc = false;
   std::vector<std::optional<std::size_t>> kernels;  ///< of each member
   std::uint32_t fade_cycles = 0;                    ///< 0: at standstill only
+
+  [[nodiscard]] machine::KernelFamily family() const {
+    if (parameters.guard) return machine::KernelFamily::guard;
+    return hsc ? machine::KernelFamily::hsc : machine::KernelFamily::fir;
+  }
 };
 
 struct ImageGroup {

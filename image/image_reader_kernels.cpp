@@ -22,6 +22,7 @@ ImageBank read_bank(ImageRecords const& image, codegen::ConstRecord<codegen::rec
     bank.parameters.quality = record.get(codegen::fields::bank::quality);
   }
   bank.hsc = (keywords & axim_keyword_hsc) != 0;
+  bank.parameters.guard = (keywords & axim_keyword_guard) != 0;
   bank.fade_cycles = record.get(codegen::fields::bank::fade_cycles);
   for (std::uint32_t i = 0; i < members; ++i) {
     bank.kernels.push_back(

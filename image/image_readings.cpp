@@ -26,7 +26,11 @@ design::Readings readings_of(ImageContents const& contents, std::size_t axis) {
   auto const& slot = contents.axes[axis].slot;
   if (slot && slot->kernel) {
     auto const& kernel = contents.kernels[*slot->kernel].specification;
-    take(readings.kernels, kernel.reading);
+    if (kernel.type == design::KernelType::vibration_guard) {
+      take(readings.guard, design::guard_reading(kernel.reading));
+    } else {
+      take(readings.kernels, kernel.reading);
+    }
     take(readings.cycle_time, kernel.cycle_time);
   }
   return readings;
@@ -36,6 +40,7 @@ std::string readings_text(design::Readings const& readings) {
   std::string text;
   add(text, "filters", readings.filters);
   add(text, "kernels", readings.kernels);
+  add(text, "vibration_guard", readings.guard);
   add(text, "cycle_time", readings.cycle_time);
   return text.empty() ? "documented" : text;
 }

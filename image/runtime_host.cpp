@@ -111,6 +111,7 @@ axisrt_status RuntimeHost::command(std::uint32_t group, machine::FilterCommand c
   }
   machine::FilterParameters const& parameters = command.parameters;
   if (command.hsc) words.keywords |= AXISRT_KEYWORD_HSC;
+  if (parameters.guard) words.keywords |= AXISRT_KEYWORD_GUARD;
   if (parameters.order) words.keywords |= AXISRT_KEYWORD_ORDER;
   if (parameters.share_percent) words.keywords |= AXISRT_KEYWORD_SHARE;
   if (parameters.frequency) words.keywords |= AXISRT_KEYWORD_FCUT;

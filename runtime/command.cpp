@@ -11,7 +11,7 @@ namespace {
 
 static_assert(AXISRT_KEYWORD_ORDER == axim_keyword_order && AXISRT_KEYWORD_SHARE == axim_keyword_share &&
               AXISRT_KEYWORD_FCUT == axim_keyword_fcut && AXISRT_KEYWORD_QUALITY == axim_keyword_quality &&
-              AXISRT_KEYWORD_HSC == axim_keyword_hsc);
+              AXISRT_KEYWORD_HSC == axim_keyword_hsc && AXISRT_KEYWORD_GUARD == axim_keyword_guard);
 
 bool has(uint32_t keywords, uint32_t keyword) {
   return (keywords & keyword) != 0;
@@ -32,10 +32,11 @@ Bank const* find_bank(Channel const& channel, axisrt_filter_command const& comma
   return nullptr;
 }
 
-/// SET keeps the parameters of earlier commands that it does not name.
+/// SET keeps the parameters of earlier commands that it does not name; those of the other command are none.
 axisrt_filter_command with_earlier(Channel const& channel, axisrt_filter_command command) {
   if (command.action != AXISRT_ACTION_SET || has(command.keywords, axim_keyword_hsc)) return command;
   Bank const& earlier = channel.banks[channel.state->bank];
+  if (has(command.keywords ^ earlier.keywords, axim_keyword_guard)) return command;
   if (!has(command.keywords, axim_keyword_order)) command.order = earlier.order;
   if (!has(command.keywords, axim_keyword_share)) command.share = earlier.share;
   if (!has(command.keywords, axim_keyword_fcut)) command.fcut = earlier.frequency;
@@ -47,11 +48,16 @@ axisrt_filter_command with_earlier(Channel const& channel, axisrt_filter_command
 /// The effect of a command on the slots of a channel.
 struct Switching {
   uint32_t action;
+  bool guard;        ///< #VIB GUARD
   Bank const* bank;  ///< for SET and ON
   Kernel const* pass;
 };
 
 bool reaches(Switching const& change, Slot const& slot) {
+  if (change.action == AXISRT_ACTION_PROGRAM_END) return true;
+  if (change.guard || slot.family == axim_family_guard) {
+    return change.guard && slot.family == axim_family_guard;
+  }
   if (change.bank == nullptr) return true;
   bool const hsc = has(change.bank->keywords, axim_keyword_hsc);
   return slot.family == (hsc ? axim_family_hsc : axim_family_fir);
@@ -129,7 +135,10 @@ axisrt_status apply(Channel const& channel, Switching const& change) {
 
 axisrt_status execute(axisrt const& runtime, uint32_t group, axisrt_filter_command const& command) {
   if (changes_from(runtime) != nullptr) return AXISRT_BUSY;
-  Switching change{.action = command.action, .bank = nullptr, .pass = runtime.kernels + runtime.kernel_count};
+  Switching change{.action = command.action,
+                   .guard = has(command.keywords, axim_keyword_guard),
+                   .bank = nullptr,
+                   .pass = runtime.kernels + runtime.kernel_count};
   if (command.action == AXISRT_ACTION_ON || command.action == AXISRT_ACTION_SET) {
     Channel const& channel = runtime.channels[group];
     change.bank = find_bank(channel, with_earlier(channel, command));

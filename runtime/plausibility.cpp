@@ -13,17 +13,21 @@ class KernelGains {
     for (uint32_t i = 0; i < view.kernels.count; ++i) {
       Record<record::kernel> const kernel = view.kernels[i];
       double const gain = kernel[field::kernel::peak_gain];
-      double& largest = largest_[kernel[field::kernel::tail_count]];
+      double& largest = largest_[place_of(kernel[field::kernel::tail_count])];
       if (gain > largest) largest = gain;
     }
-    for (uint32_t i = 1; i <= axim_most_tails; ++i) {
+    for (uint32_t i = 1; i <= longer; ++i) {
       if (largest_[i - 1] > largest_[i]) largest_[i] = largest_[i - 1];
     }
   }
-  [[nodiscard]] double largest_of(Slot const& slot) const { return largest_[slot.history_length]; }
+  [[nodiscard]] double largest_of(Slot const& slot) const { return largest_[place_of(slot.history_length)]; }
 
  private:
-  double largest_[axim_most_tails + 1];  ///< of those with as many tails, then of those with at most as many
+  /// All guards that are longer than other kernels, so that the stack stays small.
+  static constexpr uint32_t longer = axim_most_tails + 1;
+  static uint32_t place_of(uint32_t tails) { return tails < longer ? tails : longer; }
+
+  double largest_[longer + 1];  ///< of those with as many tails, then of those with at most as many
 };
 
 /// P of the chain with whichever kernel. The image states that of the chain as it starts.

@@ -9,17 +9,18 @@ std::string to_text(FilterParameters const& parameters) {
   auto const add = [&text](std::string_view keyword, auto const& value) {
     if (value) text += fmt::format("{}{}={}", text.empty() ? "" : " ", keyword, *value);
   };
-  add("ORDER", parameters.order);
+  add(parameters.guard ? "MODE" : "ORDER", parameters.order);
   add("SHARE", parameters.share_percent);
-  add("FCUT", parameters.frequency ? std::optional(parameters.frequency->value) : std::nullopt);
-  add("QUALITY", parameters.quality);
+  add(parameters.guard ? "FREQ" : "FCUT",
+      parameters.frequency ? std::optional(parameters.frequency->value) : std::nullopt);
+  add(parameters.guard ? "DAMPING" : "QUALITY", parameters.quality);
   return text;
 }
 
 FilterParameters parameters_after(FilterParameters const& before, FilterCommand const& command) {
   if (command.filter_switch == FilterSwitch::off || command.hsc) return before;
   FilterParameters after = command.parameters;
-  if (command.filter_switch == FilterSwitch::on) return after;
+  if (command.filter_switch == FilterSwitch::on || before.guard != after.guard) return after;
   auto const keep = [](auto& value, auto const& earlier) {
     if (!value) value = earlier;
   };

@@ -1,4 +1,4 @@
-// A #FILTER command, checked and independent of its spelling.
+// A #FILTER or #VIB GUARD command, checked and independent of its spelling.
 #pragma once
 
 #include "design/units.hpp"
@@ -6,29 +6,44 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace axisc::machine {
 
-/// The keywords of #FILTER that decide which kernel an axis gets. Absent ones keep the axis list's value.
+/// Which filters of an axis a command reaches. The numbers are those of images.
+enum class KernelFamily : std::uint8_t { hsc = 1, fir = 2, guard = 3 };
+
+/// The keywords of #FILTER, or of #VIB GUARD, that decide which kernel an axis gets. Absent ones keep the
+/// axis list's value.
 /// Canonical: ORDER_TIME has become the order it means at the NC cycle time (0 below one cycle), and is
 /// dropped where ORDER is given; AX_DEV and ACC_FACT, which do not touch the kernel, are in FilterCommand.
 struct FilterParameters {
-  std::optional<std::uint32_t> order;      ///< 0..200; 0 switches the filter off
-  std::optional<double> share_percent;     ///< 0..100
-  std::optional<design::Hertz> frequency;  ///< FCUT
-  std::optional<double> quality;           ///< 0 < q <= 1
+  std::optional<std::uint32_t> order;      ///< 0..200; 0 switches the filter off. MODE, 1..4
+  std::optional<double> share_percent;     ///< 0..100; #FILTER only
+  std::optional<design::Hertz> frequency;  ///< FCUT, FREQ
+  std::optional<double> quality;           ///< 0 < q <= 1; DAMPING, 0 <= D < 1
+  bool guard = false;                      ///< of #VIB GUARD
 
+  /// Nothing but the lists' values.
   [[nodiscard]] bool empty() const { return !order && !share_percent && !frequency && !quality; }
   friend bool operator==(FilterParameters const&, FilterParameters const&) = default;
 };
 
-/// As a command would write it: "ORDER=20 SHARE=80"; empty for none. Numbers in their shortest exact form.
+/// #VIB GUARD without parameters.
+[[nodiscard]] inline FilterParameters guard_parameters() {
+  FilterParameters parameters;
+  parameters.guard = true;
+  return parameters;
+}
+
+/// As a command would write it: "ORDER=20 SHARE=80", "MODE=2 FREQ=48"; empty for none. Numbers in their
+/// shortest exact form.
 [[nodiscard]] std::string to_text(FilterParameters const& parameters);
 
 enum class FilterSwitch : std::uint8_t {
   unchanged,  ///< #FILTER [...]: changes parameters, leaves the switch as it is
   on,
-  off,  ///< FIR and HSC
+  off,  ///< FIR and HSC, or the guards
 };
 
 struct FilterCommand {
@@ -38,6 +53,16 @@ struct FilterCommand {
   std::optional<double> tolerance =
       std::nullopt;  ///< AX_DEV in mm (inch if the machine file sets it); 0: no monitoring
   std::optional<double> acceleration_factor = std::nullopt;  ///< ACC_FACT
+
+  /// #FILTER OFF reaches FIR filters as well as HSC filters.
+  [[nodiscard]] bool reaches(KernelFamily family) const {
+    if (parameters.guard || family == KernelFamily::guard) {
+      return parameters.guard && family == KernelFamily::guard;
+    }
+    return filter_switch == FilterSwitch::off || (family == KernelFamily::hsc) == hsc;
+  }
+  /// "#FILTER" or "#VIB GUARD".
+  [[nodiscard]] std::string_view name() const { return parameters.guard ? "#VIB GUARD" : "#FILTER"; }
 };
 
 /// The parameters in force after `command`, where `before` were set by earlier commands of the program: ON

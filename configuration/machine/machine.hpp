@@ -35,16 +35,14 @@ struct ConfiguredFilter {
   design::FilterSpecification specification;
 };
 
-enum class KernelFamily : std::uint8_t { hsc = 1, fir = 2 };
-
-/// The linear-phase filter of an axis with the lists' values: filter_fir of type 1 to 4, or the HSC filter in
-/// filter[0]. Present also where it is switched off: #FILTER may switch it on and change it.
+/// The kernel of an axis with the lists' values: filter_fir of type 1 to 4, the HSC filter in filter[0], or
+/// Vibration Guard. Present also where it is switched off: a command may switch it on and change it.
 struct ConfiguredKernel {
   KernelFamily family = KernelFamily::fir;
   std::uint32_t index = 0;  ///< i of filter[i] for HSC
   /// With the order that order_time or time_constant gives, where order does not; 0: no order results.
   design::KernelSpecification specification;
-  bool on_at_start = false;  ///< filter_fir.enable; never for HSC
+  bool on_at_start = false;  ///< filter_fir.enable, vib_guard.active; never for HSC
 };
 
 /// Values are the numbers of P-AXIS-00753.
@@ -79,6 +77,15 @@ struct DriveScaling {
   double multi_gain_n = 1;      ///< P-AXIS-00128
 };
 
+/// What delays the position of an axis after its filters, at the start of programs. Where each acts is a
+/// reading.
+struct PositionDelay {
+  double cycles = 0;  ///< between interpolator and position controller: whole cycles
+  double lag = 0;     ///< P-AXIS-00361 in cycles: the time constant of a PT1
+
+  friend bool operator==(PositionDelay const&, PositionDelay const&) = default;
+};
+
 /// A parameter that a list sets to something that no plan of a path takes into account.
 struct UncomputedParameter {
   std::string number;  ///< "P-AXIS-00561"
@@ -96,10 +103,14 @@ struct AxisConfiguration {
   std::vector<ConfiguredFilter>
       interface_filters;  ///< active lr_param.add_interface.filter[i], and only if the interface is on
   std::optional<ConfiguredKernel> kernel;
+  /// What #VIB GUARD starts from, its values as the lists have them, or by default; none if they are out of
+  /// range.
+  std::optional<design::KernelSpecification> listed_guard = {};
   std::optional<PositionControl> position_control;
   DriveScaling drive_scaling;
   /// Index into Machine::axes of the gantry's master, for a slave: its additive velocity is the master's.
   std::optional<std::size_t> gantry_master;
+  PositionDelay position_delay = {};
   double position_window = 0.4;   ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
   double velocity_limit = 0;      ///< P-AXIS-00212, µm/s or 1e-3 °/s
   double acceleration_limit = 0;  ///< P-AXIS-00008, mm/s² or °/s²
@@ -129,13 +140,13 @@ struct MachineList {
   std::optional<StoredContent> stored = std::nullopt;  ///< of a program, instead of `content`
 };
 
-/// An NC channel: the axes that #FILTER acts on.
+/// An NC channel: the axes that #FILTER and #VIB GUARD act on.
 struct MachineGroup {
   std::string name;
   std::vector<std::size_t> axes;  ///< indices into Machine::axes, in the order of the machine file
   /// The distinct parameter sets that are in force after the commands of the group's programs and of
   /// filter_sets, in the order of their first use, in canonical form; without `#FILTER ON` alone, OFF and
-  /// [HSC], which need none.
+  /// [HSC], which need none. `#VIB GUARD` has one even without parameters: it gives every axis a guard.
   std::vector<FilterParameters> filter_sets;
   std::vector<std::string> programs = {};  ///< paths of the NC programs that it runs
   ChannelDynamics dynamics = {};

@@ -63,7 +63,7 @@ constexpr std::array sections = {
 
 constexpr std::string_view introduction =
     R"(<!-- Made from runtime/format/fields.inc by docs/tools/image_format_doc.cpp; change those. -->
-# The coefficient image, format version 1.1
+# The coefficient image, format version 1.2
 
 `axisc compile` writes a coefficient image (`.axim`), the runtime executes it. This page describes every byte. It is
 made from the table from which the writer and the loader take their offsets, so it cannot disagree with them.
@@ -105,6 +105,8 @@ that is not optional, since the axes would move in another way without it; that 
 an image that has critical sections. It refuses another major version.
 
 Format 1.1 added the critical sections. An image without them has the bytes of format 1.0, except for the minor version.
+Format 1.2 added Vibration Guard (kernels of type 5, slots of family 3, bit 5 of a bank's keywords); readers of 1.1 refuse it.
+An image without it has the bytes and the number of format 1.1.
 
 )";
 

@@ -9,7 +9,7 @@
 
 enum {
   axim_major = 1,
-  axim_minor = 1,
+  axim_minor = 2,
   axim_alignment = 64,
   axim_flag_optional = 1,
   axim_most_delay = 100,
@@ -19,6 +19,7 @@ enum {
   axim_most_stage_filters = 3,
   axim_most_stages = 3,
   axim_most_tails = 200,
+  axim_most_guard_tails = 960,
   axim_most_fade_cycles = 4096,
   axim_most_samples = 1024,
 
@@ -27,9 +28,13 @@ enum {
   axim_keyword_fcut = 4,
   axim_keyword_quality = 8,
   axim_keyword_hsc = 16,
+  axim_keyword_guard = 32,
 
   axim_family_hsc = 1,
   axim_family_fir = 2,
+  axim_family_guard = 3,
+
+  axim_kernel_guard = 5,
 
   axim_realisation_pass_through = 0,
   axim_realisation_sections = 1,

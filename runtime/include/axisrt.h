@@ -258,14 +258,14 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
 axisrt_status axisrt_step_velocity(axisrt* runtime, const axisrt_velocities* in, double* v_add,
                                    double* increments, uint8_t* status);
 
-/* The NC command #FILTER. */
+/* The NC commands #FILTER and, with AXISRT_KEYWORD_GUARD, #VIB GUARD. */
 typedef enum axisrt_action {
   /* #FILTER [...]: changes the parameters that it names, keeps those of earlier commands, and leaves the
    * switch as it is */
   AXISRT_ACTION_SET = 0,
   AXISRT_ACTION_ON =
       1, /* #FILTER ON [...]: the lists' values with these parameters; forgets earlier commands */
-  AXISRT_ACTION_OFF = 2,        /* #FILTER OFF: FIR and HSC filters; keywords are ignored */
+  AXISRT_ACTION_OFF = 2, /* #FILTER OFF: FIR and HSC filters, or #VIB GUARD OFF; other keywords are ignored */
   AXISRT_ACTION_PROGRAM_END = 3 /* the state of start-up: the lists' values; keywords are ignored */
 } axisrt_action;
 
@@ -274,6 +274,7 @@ typedef enum axisrt_action {
 #define AXISRT_KEYWORD_FCUT 4u    /* FCUT in Hz */
 #define AXISRT_KEYWORD_QUALITY 8u /* QUALITY */
 #define AXISRT_KEYWORD_HSC 16u    /* [HSC]: the HSC filters, without other keywords */
+#define AXISRT_KEYWORD_GUARD 32u  /* #VIB GUARD: ORDER, FCUT and QUALITY are its MODE, FREQ and DAMPING */
 
 typedef struct axisrt_filter_command {
   uint32_t size;     /* sizeof(axisrt_filter_command) */
@@ -285,9 +286,10 @@ typedef struct axisrt_filter_command {
   double quality;
 } axisrt_filter_command;
 
-/* Switches the FIR (with AXISRT_KEYWORD_HSC the HSC) filters of all axes of a group to the kernels that the
- * image holds for these parameters (those in force after the command, AXISRT_ACTION_SET included;
- * AXISRT_NO_BANK without them); nothing is computed here. To be called between two cycles.
+/* Switches the FIR filters (with AXISRT_KEYWORD_HSC the HSC filters, with AXISRT_KEYWORD_GUARD the guards)
+ * of all axes of a group to the kernels that the image holds for these parameters (those in force after the
+ * command, AXISRT_ACTION_SET included; AXISRT_NO_BANK without them); nothing is computed here. To be called
+ * between two cycles.
  *
  * While every axis of the group is at standstill (no increment of 2^-30 units or more for as many cycles as
  * its longest kernel remembers), the change is immediate, and no output moves by more than such increments

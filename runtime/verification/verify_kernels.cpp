@@ -4,8 +4,9 @@
 namespace axisc::runtime {
 namespace {
 
-constexpr uint32_t kernel_types = 5;
-constexpr uint32_t all_keywords = 31;
+constexpr uint32_t kernel_types = 6;
+constexpr uint32_t all_keywords = 63;
+constexpr uint32_t no_keywords_of_guards = axim_keyword_share | axim_keyword_hsc;
 
 axisrt_status check_tail(Record<record::tail> tail) {
   double const value = tail[field::tail::value];
@@ -33,9 +34,11 @@ axisrt_status check_proof(Record<record::kernel> kernel) {
 }
 
 axisrt_status check_kernel(ImageView const& view, Record<record::kernel> kernel) {
-  if (kernel[field::kernel::type] >= kernel_types) return AXISRT_UNKNOWN_KIND;
+  uint32_t const type = kernel[field::kernel::type];
+  if (type >= kernel_types) return AXISRT_UNKNOWN_KIND;
   uint32_t const tails = kernel[field::kernel::tail_count];
-  if (tails > axim_most_tails) return AXISRT_KERNEL_TOO_LONG;
+  if (tails > (type == axim_kernel_guard ? axim_most_guard_tails : axim_most_tails))
+    return AXISRT_KERNEL_TOO_LONG;
   return first_failure(
       [&] {
         return check_bounds(tails >= 1, view.tails.holds(kernel[field::kernel::first_tail], tails),
@@ -59,9 +62,10 @@ bool is_executable(ImageView const& view, uint32_t kernel, uint32_t history) {
 
 axisrt_status check_slot(ImageView const& view, Record<record::slot> slot, uint32_t index) {
   uint32_t const family = slot[field::slot::family];
-  if (family != axim_family_hsc && family != axim_family_fir) return AXISRT_UNKNOWN_KIND;
+  if (family < axim_family_hsc || family > axim_family_guard) return AXISRT_UNKNOWN_KIND;
   uint32_t const history = slot[field::slot::history];
-  if (history > axim_most_tails) return AXISRT_KERNEL_TOO_LONG;
+  if (history > (family == axim_family_guard ? axim_most_guard_tails : axim_most_tails))
+    return AXISRT_KERNEL_TOO_LONG;
   uint32_t const axis = slot[field::slot::axis];
   bool const ascends = index == 0 || axis > view.slots[index - 1][field::slot::axis];
   uint32_t const member = slot[field::slot::member];
@@ -105,7 +109,10 @@ struct Claimed {
 
 axisrt_status check_bank(ImageView const& view, uint32_t first_member, uint32_t members,
                          Record<record::bank> bank, uint32_t& next_choice) {
-  if (bank[field::bank::keywords] > all_keywords) return AXISRT_UNKNOWN_KIND;
+  uint32_t const keywords = bank[field::bank::keywords];
+  if (keywords > all_keywords) return AXISRT_UNKNOWN_KIND;
+  bool const guard = (keywords & axim_keyword_guard) != 0;
+  if (guard && (keywords & no_keywords_of_guards) != 0) return AXISRT_UNKNOWN_KIND;
   axisrt_status status =
       check_finite(bank[field::bank::share], bank[field::bank::frequency], bank[field::bank::quality]);
   if (status != AXISRT_OK) return status;
