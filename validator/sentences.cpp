@@ -26,4 +26,6 @@ constinit Sentence const milliseconds_meant{"the value is in µs: {value} ms are
 constinit Sentence const program_reaction_aborted{"the NC program is aborted",
                                                   "das NC-Programm wird abgebrochen"};
 
+constinit Sentence const guard_stops_motion{"the motion stops", "die Bewegung hält an"};
+
 }  // namespace axisc::validator::says

@@ -13,5 +13,6 @@ extern Sentence const control_defaults;
 extern Sentence const unnamed_list;
 extern Sentence const milliseconds_meant;
 extern Sentence const program_reaction_aborted;
+extern Sentence const guard_stops_motion;
 
 }  // namespace axisc::validator::says

@@ -42,7 +42,6 @@ std::string guard(std::string_view text) {
   auto const parsed = grammar::parse_nc_command(text);
   REQUIRE(parsed.has_value());
   CheckedCommand const checked = check_command(*parsed, text, limits(), Variables::accepted);
-  CHECK_FALSE(checked.command.has_value());
   std::string mistakes;
   for (CommandMistake const& mistake : checked.mistakes) {
     mistakes += code_text(mistake.code) + " <" +
@@ -134,7 +133,7 @@ TEST_CASE("keywords of #FILTER") {
 TEST_CASE("syntax of #FILTER") {
   CHECK(result("") == "AX5001 <> ");
   CHECK(result("FILTER ON") == "AX5001 <FILTER ON> ");
-  CHECK(result("#VIB GUARD ON") == "AX5001 <#VIB GUARD> ");
+  CHECK(result("#CALL AX [X]") == "AX5001 <#CALL AX> ");
   CHECK(result("#filter ON") == "AX5001 <#filter> ");
   CHECK(result("#FILTER on") == "AX5001 <on> ");
   CHECK(result("#FILTER ON ORDER=20") == "AX5001 <ORDER=20> ");
@@ -151,13 +150,35 @@ TEST_CASE("#VIB GUARD") {
   CHECK(guard("#VIB GUARD ON [MODE=4 FREQ=1 DAMPING=0 AX_DEV=0 ACC_FACT=10]").empty());
   CHECK(guard("#VIB GUARD OFF").empty());
   CHECK(guard("#VIB GUARD ON [FREQ=P1]").empty());
+  CHECK_FALSE(check_command(*grammar::parse_nc_command("#VIB GUARD ON [FREQ=P1]"), "#VIB GUARD ON [FREQ=P1]",
+                            limits(), Variables::accepted)
+                  .command);
   CHECK(guard("#VIB GUARD ON [FREQ=499.9]").empty());
   CHECK(guard("#VIB GUARD ON [FREQ=500]") == "AX5002 <500> ");
   CHECK(guard("#VIB GUARD ON [MODE=0 FREQ=0.5 DAMPING=1.1 AX_DEV=-1 ACC_FACT=0]") ==
         "AX5002 <0> AX5002 <0.5> AX5002 <1.1> AX5002 <-1> AX5002 <0> ");
+  CHECK(guard("#VIB GUARD ON [DAMPING=1]") == "AX3026 <1> ");
   CHECK(guard("#VIB GUARD ON [MODE=2.5]") == "AX5002 <2.5> ");
   CHECK(guard("#VIB GUARD ON [ORDER=20 HSC]") == "AX5002 <ORDER> AX5002 <HSC> ");
   CHECK(guard("#VIB GUARD [ON]") == "AX5001 <[ON]> ");
+}
+
+TEST_CASE("a guard's parameters, and the tolerance that ends where it is not named") {
+  auto const taken = [](std::string_view text) { return *parse_filter_command(text, limits()).command; };
+  auto const command = taken("#VIB GUARD ON [MODE=2 FREQ=41.5 DAMPING=0.02 AX_DEV=0.01 ACC_FACT=2]");
+  CHECK(command.parameters.guard);
+  CHECK(command.parameters.order == 2U);
+  CHECK(command.parameters.frequency->value == 41.5);
+  CHECK(command.parameters.quality == 0.02);
+  CHECK(command.tolerance == 0.01);
+  CHECK(command.acceleration_factor == 2);
+  CHECK(to_text(command.parameters) == "MODE=2 FREQ=41.5 DAMPING=0.02");
+  CHECK(taken("#VIB GUARD [FREQ=35]").tolerance == 0);
+  CHECK_FALSE(taken("#VIB GUARD OFF").tolerance);
+  CHECK_FALSE(taken("#FILTER ON").tolerance);
+  auto const later = parameters_after(command.parameters, taken("#VIB GUARD [FREQ=35]"));
+  CHECK(to_text(later) == "MODE=2 FREQ=35 DAMPING=0.02");
+  CHECK(to_text(parameters_after(command.parameters, taken("#FILTER [SHARE=80]"))) == "SHARE=80");
 }
 
 TEST_CASE("what is meant for ON or OFF is written so") {

@@ -125,7 +125,7 @@ TEST_CASE("a group has so many parameter sets and no more") {
   CHECK(sets_of(more).size() == 1000);
   REQUIRE(more.result.not_compiled.size() == 1);
   CHECK(render(more.result.not_compiled[0].feature, Language::english) ==
-        "more than 1000 different commands `#FILTER` in one group");
+        "more than 1000 different filter commands in one group");
 }
 
 TEST_CASE("every file that was read is named, programs once") {

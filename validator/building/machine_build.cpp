@@ -1,7 +1,9 @@
 #include "validator/building/machine_build.hpp"
 
+#include "configuration/machine/guards.hpp"
 #include "validator/views/axis_dynamics.hpp"
 #include "validator/views/channel.hpp"
+#include "validator/views/delay_budget.hpp"
 #include "validator/views/drive.hpp"
 #include "validator/views/fir_view.hpp"
 #include "validator/views/hsc_view.hpp"
@@ -18,6 +20,10 @@ namespace axisc::validator::says {
 constexpr Sentence not_compiled_filter{
     "the filter `{filter}` of axis \"{axis}\", whose values cannot be used",
     "der Filter `{filter}` der Achse „{axis}“, dessen Werte nicht verwendbar sind"};
+
+constexpr Sentence not_compiled_guard{
+    "the Vibration Guard that the commands of its channel ask of axis \"{axis}\"",
+    "der Vibration Guard, den die Befehle ihres Kanals von der Achse „{axis}“ verlangen"};
 
 }  // namespace axisc::validator::says
 
@@ -41,6 +47,7 @@ class AxisBuilder {
     result.name = axis_.name;
     result.number = static_cast<std::uint32_t>(number("kopf.achs_nr"));
     result.type = axis_.type;
+    result.position_delay = position_delay(axis_, cycle_time_);
     result.position_window = number("kenngr.filter_position_window");
     result.velocity_limit = number("getriebe[].dynamik.vb_max");
     result.acceleration_limit = number("getriebe[].dynamik.a_max");
@@ -91,7 +98,7 @@ class AxisBuilder {
   void add_kernel(machine::AxisConfiguration& result) {
     for (FilterView const& filter : configured_hsc(views_.filters)) add_hsc(filter, result);
     FirView const& fir = views_.fir;
-    if (!fir.configured() && !fir.type.unusable) return;
+    if (!fir.configured() && !fir.type.unusable) return add_guard(result);
     auto const specification = fir.specification(cycle_time_);
     if (specification && !result.kernel) {
       result.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,
@@ -100,6 +107,22 @@ class AxisBuilder {
                                                 .on_at_start = fir.enable.value.flag()};
     } else {
       leave_out_filter(fir.anchor(fir.enable), "filter_fir");
+    }
+  }
+
+  void add_guard(machine::AxisConfiguration& result) {
+    GuardView const& guard = views_.guard;
+    result.listed_guard = guard.specification(cycle_time_);
+    if (!guard.is_active() && !guard.active.unusable) return;
+    auto const& specification = result.listed_guard;
+    bool const fits = specification && can_be_compiled(*specification, cycle_time_);
+    if (fits && !result.kernel && !guard.active.unusable) {
+      result.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::guard,
+                                                .index = 0,
+                                                .specification = *specification,
+                                                .on_at_start = true};
+    } else {
+      leave_out_filter(guard.anchor(guard.frequency), "vib_guard");
     }
   }
 
@@ -236,6 +259,28 @@ machine::StoredContent stored_content(LoadedProgram const& program, configuratio
       }};
 }
 
+/// The guards of commands; one that no runtime takes was reported, or is left out with a word.
+void add_guards(std::size_t group_index, LoadedMachine const& loaded, BuiltMachine& built) {
+  machine::MachineGroup const& group = built.machine.groups[group_index];
+  auto const is_guard = [](machine::FilterParameters const& set) { return set.guard; };
+  if (std::none_of(group.filter_sets.begin(), group.filter_sets.end(), is_guard)) return;
+  machine::add_guards(built.machine, group_index);
+  for (std::size_t const index : group.axes) {
+    machine::AxisConfiguration const& axis = built.machine.axes[index];
+    if (axis.type == machine::AxisType::spindle) continue;
+    bool fits = axis.kernel && axis.kernel->family == machine::KernelFamily::guard;
+    for (machine::FilterParameters const& set : group.filter_sets) {
+      if (!fits || !set.guard) continue;
+      auto const guard = guard_after(axis.kernel->specification, set);
+      fits = guard && can_be_compiled(*guard, built.machine.cycle_time);
+    }
+    if (fits) continue;
+    Place const place{.source = loaded.lists[loaded.axes[index].list].list.source, .span = {}};
+    built.not_compiled.push_back(
+        {.place = place, .feature = {says::not_compiled_guard, {{"axis", axis.name}}}});
+  }
+}
+
 }  // namespace
 
 BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> const& views,
@@ -269,6 +314,7 @@ BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> co
     channel.uncomputed = uncomputed_parameters(group, sources);
     channel.filter_sets = filter_sets_of(loaded, group, sources, built.not_compiled);
     for (auto const program : group.programs) channel.programs.push_back(loaded.programs[program].path);
+    add_guards(built.machine.groups.size() - 1, loaded, built);
   }
   return built;
 }

@@ -28,8 +28,8 @@ constexpr Sentence filter_syntax_switch_in_brackets{"`{switch}` is written befor
                                                     "`{switch}` steht vor den Klammern"};
 constexpr Sentence filter_syntax_no_value_allowed{"the keyword `{keyword}` takes no value",
                                                   "das Schlüsselwort `{keyword}` nimmt keinen Wert an"};
-constexpr Sentence filter_syntax_no_filter_command{"this is not a #FILTER command",
-                                                   "das ist kein #FILTER-Befehl"};
+constexpr Sentence filter_syntax_no_filter_command{"this is neither #FILTER nor #VIB GUARD",
+                                                   "das ist weder #FILTER noch #VIB GUARD"};
 constexpr Sentence filter_keyword_unknown{"`{command}` has no keyword `{keyword}`",
                                           "`{command}` hat kein Schlüsselwort `{keyword}`"};
 constexpr Sentence filter_keyword_known{"keywords: {keywords}", "Schlüsselwörter: {keywords}"};
@@ -97,7 +97,7 @@ class CommandChecker {
     if (command_.command_switch == CommandSwitch::off) result_.filter_switch = machine::FilterSwitch::off;
     checked_.filter_switch = result_.filter_switch;
     checked_.hsc = hsc_;
-    if (usable_ && command_.kind == CommandKind::filter) checked_.command = finished();
+    if (usable_) checked_.command = finished();
     std::stable_sort(
         checked_.mistakes.begin(), checked_.mistakes.end(),
         [](CommandMistake const& a, CommandMistake const& b) { return a.span.begin < b.span.begin; });
@@ -261,11 +261,19 @@ class CommandChecker {
     if (name == "SHARE") parameters.share_percent = value;
     if (name == "FCUT") parameters.frequency = design::Hertz{value};
     if (name == "QUALITY") parameters.quality = value;
+    if (name == "MODE") parameters.order = static_cast<std::uint32_t>(value);
+    if (name == "FREQ") parameters.frequency = design::Hertz{value};
+    if (name == "DAMPING") parameters.quality = value;
     if (name == "AX_DEV") result_.tolerance = value;
     if (name == "ACC_FACT") result_.acceleration_factor = value;
   }
 
   machine::FilterCommand finished() {
+    if (command_.kind == CommandKind::vibration_guard) {
+      result_.parameters.guard = true;
+      if (!result_.tolerance && command_.command_switch != CommandSwitch::off) result_.tolerance = 0;
+      return result_;
+    }
     if (!result_.parameters.order) result_.parameters.order = order_of_time_;
     return result_;
   }
@@ -300,7 +308,7 @@ CheckedCommand check_command(NcCommand const& command, std::string_view text, Co
 
 CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& limits) {
   std::optional<NcCommand> const command = grammar::parse_nc_command(text);
-  if (command && command->kind == CommandKind::filter) {
+  if (command && command->kind != CommandKind::other && command->kind != CommandKind::axis_exchange) {
     return check_command(*command, text, limits, Variables::refused);
   }
   CheckedCommand none;

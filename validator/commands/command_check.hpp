@@ -36,7 +36,8 @@ struct CommandLimits {
 /// program runs.
 enum class Variables : std::uint8_t { accepted, refused };
 
-/// Something wrong with a command: AX5001, or AX5002 for its keywords. Spans count like those of the command.
+/// Something wrong with a command: AX5001, AX5002 for its keywords, or AX3026 for a guard without
+/// oscillation. Spans count like those of the command.
 struct CommandMistake {
   Code code{};
   Span span;
@@ -53,8 +54,9 @@ struct CommandMistake {
 };
 
 struct CheckedCommand {
-  /// #FILTER with its parameters in canonical form. None for #VIB GUARD, and if a value cannot be used:
-  /// unreadable, out of range, or a variable. An ORDER_TIME below one cycle is a mistake and gives order 0.
+  /// The command with its parameters in canonical form. None for others than these two, and if a value cannot
+  /// be used: unreadable, out of range, or a variable. #VIB GUARD without AX_DEV has a tolerance of 0, but
+  /// OFF. An ORDER_TIME below one cycle is a mistake and gives order 0.
   std::optional<machine::FilterCommand> command;
   machine::FilterSwitch filter_switch = machine::FilterSwitch::unchanged;  ///< also where there is no command
   bool hsc = false;
@@ -65,7 +67,8 @@ struct CheckedCommand {
 [[nodiscard]] CheckedCommand check_command(grammar::NcCommand const& command, std::string_view text,
                                            CommandLimits const& limits, Variables variables);
 
-/// The text of one #FILTER command: "#FILTER ON [ORDER=20 SHARE=80]". Without mistakes there is a command.
+/// The text of one command: "#FILTER ON [ORDER=20 SHARE=80]", "#VIB GUARD ON [MODE=2]". Without mistakes
+/// there is a command.
 [[nodiscard]] CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& limits);
 
 /// True if the command switches FIR filters on, or leaves them on, with an order of its own: ORDER above 0,

@@ -16,6 +16,7 @@ namespace axisc::validator {
 inline constexpr std::string_view keyword_repeated = "21411";
 inline constexpr std::string_view mode_refused = "22062";
 inline constexpr std::string_view damping_refused = "22066";
+inline constexpr std::string_view no_guard = "50820";  // for the frequency and the damping
 inline constexpr std::string_view share_refused = "22067";
 inline constexpr std::string_view quality_refused = "22077";
 

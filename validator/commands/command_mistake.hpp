@@ -10,6 +10,7 @@ namespace axisc::validator {
 
 inline constexpr Code syntax_mistake{5001};
 inline constexpr Code keyword_mistake{5002};
+inline constexpr Code without_oscillation{3026};
 
 /// "#FILTER", "#VIB GUARD".
 [[nodiscard]] std::string_view proper_name(grammar::CommandKind kind);

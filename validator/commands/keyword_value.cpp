@@ -22,6 +22,9 @@ constexpr Sentence filter_keyword_range_whole{"{text}, a whole number", "{text},
 constexpr Sentence filter_keyword_delay{
     "an axis of the channel has the time delay, which takes at most 100 cycles",
     "eine Achse des Kanals hat die Zeitverzögerung, die höchstens 100 Zyklen annimmt"};
+constexpr Sentence guard_without_oscillation{
+    "with `{keyword}={value}` there is no oscillation that the Vibration Guard could shape",
+    "mit `{keyword}={value}` gibt es keine Schwingung, die der Vibration Guard formen könnte"};
 constexpr Sentence filter_keyword_variable{
     "the value of `{keyword}` must be a number, not the variable `{value}`",
     "der Wert von `{keyword}` muss eine Zahl sein, nicht die Variable `{value}`"};
@@ -105,6 +108,12 @@ std::optional<double> checked_value(grammar::NcCommand const& command, Keyword c
   }
   double const value = number_of(written);
   KeywordRange const range = range_of(name, limits);
+  if (name == "DAMPING" && value == 1) {
+    CommandMistake& mistake = add(without_oscillation, keyword.value, says::guard_without_oscillation);
+    mistake.control = no_guard;
+    mistake.reaction = says::guard_stops_motion;
+    return std::nullopt;
+  }
   if (range.contains(value)) return value;
   add_range_notes(add(keyword_mistake, keyword.value, says::filter_keyword_range), name, value, range,
                   limits);

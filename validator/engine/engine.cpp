@@ -49,6 +49,7 @@ AxisContext context_of(LoadedMachine const& machine, std::size_t index, AxisView
           .filters = views.filters,
           .designs = views.designs,
           .fir = views.fir,
+          .guard = views.guard,
           .position_control = views.position_control};
 }
 
@@ -283,8 +284,9 @@ class Engine {
   void run_command(CommandContext const& context) {
     if (context.checked.mistakes.empty()) return;
     for (Rule const& rule : rules()) {
-      auto const* const check = std::get_if<CommandCheck>(&rule.check);
-      if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, nullptr);
+      auto const* const only = std::get_if<CommandCheck>(&rule.check);
+      CommandCheck const check = only != nullptr ? *only : rule.command_check;
+      if (check != nullptr && enabled(rule)) call(rule, check, context, {}, nullptr);
     }
   }
 

@@ -21,6 +21,7 @@
 #include "validator/views/filter_designs.hpp"
 #include "validator/views/filter_view.hpp"
 #include "validator/views/fir_view.hpp"
+#include "validator/views/guard_view.hpp"
 #include "validator/views/position_control_view.hpp"
 
 #include <array>
@@ -91,6 +92,7 @@ struct AxisContext {
   std::span<FilterView const> filters;  ///< those that a list touches: see touched_filters()
   FilterDesigns const& designs;         ///< of `filters`
   FirView const& fir;
+  GuardView const& guard;
   PositionControlView const& position_control;
 };
 
@@ -144,6 +146,7 @@ struct Rule {
   std::span<Code const> silenced_by = {};
   Check check = {};
   ProgramCheck program_check = nullptr;  ///< for a rule that also checks NC programs
+  CommandCheck command_check = nullptr;  ///< for a rule about axes that also checks commands
   ListCheck list_check = nullptr;        ///< for a rule about axes that also checks the lists of other kinds
 };
 

@@ -2,6 +2,7 @@
 
 #include "design/filter_design.hpp"
 #include "validator/views/fir_view.hpp"
+#include "validator/views/guard_view.hpp"
 #include "validator/views/hsc_view.hpp"
 
 #include <cmath>
@@ -16,7 +17,7 @@ class Sum {
       : values_(values), cycle_time_(cycle_time) {}
 
   std::optional<AxisDelay> take() {
-    if (!add_filters() || !add_hsc() || !add_fir()) return std::nullopt;
+    if (!add_filters() || !add_hsc() || !add_fir() || !add_guard()) return std::nullopt;
     return result_;
   }
 
@@ -73,6 +74,19 @@ class Sum {
                                                .on_at_start = fir.enable.value.flag()};
     EffectiveValue const& cause = fir.order.value.number > 0 ? fir.order : fir.order_time;
     add("filter_fir", design::kernel_delay_cycles(*kernel, cycle_time_), cause.set() ? cause : fir.type);
+    return true;
+  }
+
+  /// One beside a FIR or HSC filter is switched off by the control.
+  bool add_guard() {
+    GuardView const guard(values_);
+    if (!guard.is_active()) return !guard.active.unusable;
+    if (result_.kernel) return true;
+    auto const kernel = guard.specification(cycle_time_);
+    if (!kernel || !can_be_compiled(*kernel, cycle_time_)) return false;
+    result_.kernel = machine::ConfiguredKernel{
+        .family = machine::KernelFamily::guard, .index = 0, .specification = *kernel, .on_at_start = true};
+    add("vib_guard", design::kernel_delay_cycles(*kernel, cycle_time_), guard.anchor(guard.frequency));
     return true;
   }
 

@@ -12,13 +12,14 @@ namespace axisc::validator {
 
 /// The contribution of one filter of the axis.
 struct DelayShare {
-  std::string filter;  ///< `filter[0]` or `filter_fir`
+  std::string filter;  ///< `filter[0]`, `filter_fir`, `vib_guard`
   double cycles = 0;
   EffectiveValue const* cause = nullptr;  ///< its parameter; valid while the EffectiveValues live
 };
 
 struct AxisDelay {
-  double cycles = 0;  ///< at 0 Hz: of the active filter[i] and of the configured FIR or HSC filter
+  double cycles =
+      0;  ///< at 0 Hz: of the active filter[i], the configured FIR or HSC filter, the active guard
   std::vector<DelayShare> shares;                    ///< in the order of the chain
   std::vector<design::FilterSpecification> filters;  ///< the active filter[i], without HSC
   /// The parameter that delays most; null if nothing delays. Valid while the EffectiveValues live.

@@ -5,6 +5,7 @@
 #include "validator/views/filter_designs.hpp"
 #include "validator/views/filter_view.hpp"
 #include "validator/views/fir_view.hpp"
+#include "validator/views/guard_view.hpp"
 #include "validator/views/position_control_view.hpp"
 
 #include <vector>
@@ -16,12 +17,14 @@ struct AxisViews {
   std::vector<FilterView> filters;  ///< those that a list touches: see touched_filters()
   FilterDesigns designs;            ///< of `filters`
   FirView fir;
+  GuardView guard;
   PositionControlView position_control;
 
   AxisViews(EffectiveValues const& values, design::CycleTime cycle_time)
       : filters(touched_filters(values)),
         designs(filters, cycle_time),
         fir(values),
+        guard(values),
         position_control(values) {}
   AxisViews(AxisViews const&) = delete;
   AxisViews(AxisViews&&) = delete;

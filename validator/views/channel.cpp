@@ -13,8 +13,8 @@ namespace axisc::validator::says {
 constexpr Sentence not_compiled_command{"the command `{command}`, whose values cannot be used",
                                         "der Befehl `{command}`, dessen Werte nicht verwendbar sind"};
 
-constexpr Sentence too_many_commands{"more than {limit} different commands `#FILTER` in one group",
-                                     "mehr als {limit} verschiedene Befehle `#FILTER` in einer Gruppe"};
+constexpr Sentence too_many_commands{"more than {limit} different filter commands in one group",
+                                     "mehr als {limit} verschiedene Filterbefehle in einer Gruppe"};
 
 }  // namespace axisc::validator::says
 
@@ -32,7 +32,7 @@ class SetCollector {
   void add(CheckedCommand const& checked, Place place, std::string_view written) {
     follow(checked);
     if (checked.command) {
-      if (!current_ || current_->empty()) return;
+      if (!current_ || (current_->empty() && !current_->guard)) return;
       if (std::find(sets.begin(), sets.end(), *current_) != sets.end()) return;
       if (sets.size() < configuration::most_filter_sets) {
         sets.push_back(*current_);
@@ -73,9 +73,10 @@ void add_program(LoadedProgram const& program, SourceSet const& sources, SetColl
   std::string_view const text = sources[program.source].bytes();
   collector.begin_program();
   for (grammar::NcCommand const& command : program.tree.commands) {
-    if (command.kind != grammar::CommandKind::filter) continue;
+    bool const is_filter = command.kind == grammar::CommandKind::filter;
+    if (!is_filter && command.kind != grammar::CommandKind::vibration_guard) continue;
     collector.add(check_command(command, text, collector.limits(), Variables::accepted),
-                  {.source = program.source, .span = command.name}, "#FILTER");
+                  {.source = program.source, .span = command.name}, is_filter ? "#FILTER" : "#VIB GUARD");
   }
 }
 

@@ -64,6 +64,15 @@ class Budget {
     return result_.position;
   }
 
+  machine::PositionDelay position_delay() {
+    add_after_filters();
+    machine::PositionDelay delay;
+    for (DelayItem const& item : result_.items) {
+      (item.kind == DelayKind::balancing ? delay.lag : delay.cycles) += item.position;
+    }
+    return delay;
+  }
+
  private:
   [[nodiscard]] bool is_profidrive() const {
     return drive_ != nullptr && drive_->number == machine::profidrive;
@@ -175,6 +184,10 @@ std::optional<DelayBudget> delay_budget(LoadedAxis const& axis, design::CycleTim
 
 double delay_after_filters(LoadedAxis const& axis, design::CycleTime cycle_time) {
   return Budget(axis, cycle_time, FeedforwardState::at_start).after_filters();
+}
+
+machine::PositionDelay position_delay(LoadedAxis const& axis, design::CycleTime cycle_time) {
+  return Budget(axis, cycle_time, FeedforwardState::at_start).position_delay();
 }
 
 double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time) {

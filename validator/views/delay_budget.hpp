@@ -61,6 +61,9 @@ struct DelayBudget {
 /// At the start of programs: what delays the position after the filters on its way to the drive, in cycles.
 [[nodiscard]] double delay_after_filters(LoadedAxis const& axis, design::CycleTime cycle_time);
 
+/// The same by where it acts.
+[[nodiscard]] machine::PositionDelay position_delay(LoadedAxis const& axis, design::CycleTime cycle_time);
+
 /// The largest deviation of a straight line or a circle between two axes, in µm: F ΔP/2 at 45°. `feed` in
 /// µm/s, `mismatch` in cycles.
 [[nodiscard]] double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time);

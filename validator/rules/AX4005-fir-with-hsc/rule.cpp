@@ -1,7 +1,9 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/helpers.hpp"
 #include "validator/rules/hsc_words.hpp"
+#include "validator/rules/program_helpers.hpp"
 #include "validator/views/fir_view.hpp"
 #include "validator/views/hsc_view.hpp"
 
@@ -11,6 +13,9 @@ constexpr Sentence headline{"an axis cannot have both a FIR filter and an HSC fi
                             "eine Achse kann nicht zugleich einen FIR-Filter und einen HSC-Filter haben"};
 constexpr Sentence guard{"an axis cannot have both the Vibration Guard and an HSC filter",
                          "eine Achse kann nicht zugleich den Vibration Guard und einen HSC-Filter haben"};
+constexpr Sentence command{
+    "`#VIB GUARD` reaches axes with an HSC filter, which cannot have both: {axes}",
+    "`#VIB GUARD` erreicht Achsen mit HSC-Filter, die nicht beides haben können: {axes}"};
 constexpr Sentence reaction{"it reports that the combination is not permitted",
                             "sie meldet, dass beides zusammen nicht zulässig ist"};
 constexpr Sentence help{"FIR filters replace HSC filters from build V3.1.3075.02",
@@ -37,12 +42,27 @@ void fir_with_hsc(AxisContext const& axis, Report& report) {
   finding.help.push_back({says::help, {}});
 }
 
+void guard_with_hsc(ProgramContext const& context, Report& report) {
+  auto const axes =
+      axes_where(context, [](EffectiveValues const& values) { return !configured_hsc(values).empty(); });
+  auto const spans = commands_where(context, [](grammar::NcCommand const& command) {
+    return command.kind == grammar::CommandKind::vibration_guard &&
+           command.command_switch == grammar::CommandSwitch::on;
+  });
+  if (axes.empty() || spans.empty()) return;
+  Finding& finding =
+      report_at_last(context, report, spans, message(says::command, {{"axes", names_of(axes)}}));
+  set_axis(finding, axes);
+  set_reaction(finding, says::reaction);
+}
+
 }  // namespace
 
 extern constinit Rule const ax4005{
     .control = "110628",
     .parameters = "filter_fir.type vib_guard.active filter[].prototype filter[].type",
     .check = fir_with_hsc,
+    .program_check = guard_with_hsc,
 };
 
 }  // namespace axisc::validator::checks

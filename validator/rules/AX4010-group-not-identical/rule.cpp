@@ -44,7 +44,7 @@ void group_not_identical(GroupContext const& context, Report& report) {
 
 extern constinit Rule const ax4010{
     .severity = Severity::note,
-    .parameters = "filter[].* filter_fir.*",
+    .parameters = "filter[].* filter_fir.* vib_guard.*",
     .needs = Needs::cycle_time,
     .check = group_not_identical,
 };
