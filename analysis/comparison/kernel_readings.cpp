@@ -23,8 +23,22 @@ constexpr Sentence novib_box{"NoVib is one box of a period of fg_f0, not two",
                              "NoVib ist ein Rechteck einer Periode von fg_f0, nicht zwei"};
 constexpr Sentence undelayed_share{"the unfiltered share passes undelayed",
                                    "der ungefilterte Anteil läuft unverzögert"};
-constexpr Sentence documented{"the linear-phase filter as axisc computes it without settings",
-                              "der linearphasige Filter, wie axisc ihn ohne Einstellungen rechnet"};
+constexpr Sentence documented{"the kernel as axisc computes it without settings",
+                              "der Kern, wie axisc ihn ohne Einstellungen rechnet"};
+constexpr Sentence guard_rounded{"the guard's impulses are on the nearest cycles",
+                                 "die Impulse des Vibration Guard liegen auf den nächsten Zyklen"};
+constexpr Sentence guard_rounded_up{"the guard's impulses are on the cycles that follow",
+                                    "die Impulse des Vibration Guard liegen auf den folgenden Zyklen"};
+constexpr Sentence guard_zero_placed{"the guard has a zero exactly on its oscillation",
+                                     "der Vibration Guard hat eine Nullstelle genau auf seiner Schwingung"};
+constexpr Sentence guard_undamped{
+    "the guard's impulses are half an undamped period apart",
+    "die Impulse des Vibration Guard haben den Abstand einer halben ungedämpften "
+    "Periode"};
+constexpr Sentence guard_quarters{"mode 4 of the guard is 1/4, 1/2, 1/4",
+                                  "Modus 4 des Vibration Guard ist 1/4, 1/2, 1/4"};
+constexpr Sentence guard_uncentred{"mode 4 of the guard begins with an impulse at once",
+                                   "Modus 4 des Vibration Guard beginnt sofort mit einem Impuls"};
 constexpr Sentence no_share{"the share is ignored", "der Anteil wird nicht beachtet"};
 
 }  // namespace axisc::comparison::says
@@ -49,7 +63,7 @@ constexpr KernelReading row(SentenceRef meaning) {
 }
 
 // The last one differs from the listed kernel where settings ask for another reading.
-constexpr std::array<KernelReading, 14> rows{
+constexpr std::array<KernelReading, 20> rows{
     row<Wanted::taps_n>(says::taps_n),
     row<Wanted::taps_n_plus_1>(says::taps_n_1),
     row<Wanted::half_width_rounded_down>(says::half_width_down),
@@ -63,6 +77,12 @@ constexpr std::array<KernelReading, 14> rows{
     row<Wanted::novib_one_box>(says::novib_box),
     row<Wanted::share_undelayed>(says::undelayed_share),
     row<Wanted::share_ignored>(says::no_share),
+    row<Wanted::guard_rounded>(says::guard_rounded),
+    row<Wanted::guard_rounded_up>(says::guard_rounded_up),
+    row<Wanted::guard_zero_placed>(says::guard_zero_placed),
+    row<Wanted::guard_undamped_spacing>(says::guard_undamped),
+    row<Wanted::guard_quarters>(says::guard_quarters),
+    row<Wanted::guard_uncentred>(says::guard_uncentred),
     {{documented_kernels, says::documented}, read_as<Wanted::documented>}};
 
 }  // namespace

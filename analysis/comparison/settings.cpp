@@ -9,15 +9,18 @@ namespace {
 
 using design::CycleReading;
 using design::FilterReading;
+using design::GuardReading;
 using design::KernelReading;
 
-enum class Key : std::uint8_t { filters, kernels, cycle_time };
-constexpr std::array<std::string_view, 3> keys{"filters", "kernels", "cycle_time"};
+enum class Key : std::uint8_t { filters, kernels, guard, cycle_time };
+constexpr std::array<std::string_view, 4> keys{"filters", "kernels", "vibration_guard", "cycle_time"};
 constexpr std::string_view in_force{};
 
 Key key_of(std::string_view id) {
   if (id == documented_kernels || id.starts_with("filter-")) return Key::kernels;
-  if (design::reading_of<KernelReading>(design::kernel_reading_words, id)) return Key::kernels;
+  if (auto const reading = design::reading_of<KernelReading>(design::kernel_reading_words, id)) {
+    return design::guard_reading(*reading) == GuardReading::documented ? Key::kernels : Key::guard;
+  }
   if (id == documented_cycle_time || id.starts_with("cycle-time-")) return Key::cycle_time;
   return Key::filters;
 }
@@ -52,11 +55,17 @@ bool set(design::Readings& settings, std::string_view id) {
   if (auto const filters = design::reading_of<FilterReading>(design::filter_reading_words, id)) {
     settings.filters = *filters;
   } else if (auto const kernels = design::reading_of<KernelReading>(design::kernel_reading_words, id)) {
-    settings.kernels = *kernels;
+    auto const guard = design::guard_reading(*kernels);
+    if (guard == GuardReading::documented) {
+      settings.kernels = *kernels;
+    } else {
+      settings.guard = guard;
+    }
   } else if (id == documented_filters) {
     settings.filters = FilterReading::documented;
-  } else if (id == documented_kernels) {
+  } else if (id == documented_kernels) {  // an axis has one kernel
     settings.kernels = KernelReading::documented;
+    settings.guard = GuardReading::documented;
   } else if (id == documented_cycle_time) {
     settings.cycle_time = CycleReading::documented;
   } else if (id == cycle_time_double) {
@@ -77,6 +86,7 @@ void reset(design::Readings& settings, std::size_t key) {
   switch (static_cast<Key>(key)) {
     case Key::filters: settings.filters = FilterReading::documented; break;
     case Key::kernels: settings.kernels = KernelReading::documented; break;
+    case Key::guard: settings.guard = GuardReading::documented; break;
     case Key::cycle_time: settings.cycle_time = CycleReading::documented; break;
   }
 }

@@ -25,6 +25,7 @@ std::variant<GroupRuntime, axisrt_status> GroupRuntime::create(std::span<std::by
 
 axisrt_status GroupRuntime::reset(Point const& position) {
   axisrt_status worst = host_.reset_all(0);
+  delays_.reset(position);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     worst = std::max(worst, host_.reset(static_cast<std::uint32_t>(axes_[i]), position[i]));
   }
@@ -41,6 +42,7 @@ axisrt_status GroupRuntime::step(Point const& setpoint, Point& filtered) {
   for (std::size_t i = 0; i < axes_.size(); ++i) in_[axes_[i]] = setpoint[i];
   axisrt_status const status = host_.step(in_, out_);
   for (std::size_t i = 0; i < axes_.size(); ++i) filtered[i] = out_[axes_[i]];
+  delays_.step(filtered);
   return status;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/motion/point.hpp"
+#include "analysis/motion/contour/position_delays.hpp"
 #include "axisrt.h"
 #include "configuration/machine/filter_command.hpp"
 #include "configuration/machine/machine.hpp"
@@ -28,6 +29,9 @@ class GroupRuntime {
 
   [[nodiscard]] std::size_t axis_count() const { return axes_.size(); }
 
+  /// From now on the positions are delayed after the filters, too; one for each axis.
+  void delay(std::vector<machine::PositionDelay> const& delays) { delays_ = PositionDelays(delays); }
+
   /// Every axis rests at `position`.
   [[nodiscard]] axisrt_status reset(Point const& position);
   /// Executes #FILTER for the channel; AXISRT_OK where it has no filter to switch.
@@ -43,6 +47,7 @@ class GroupRuntime {
   std::vector<std::size_t> axes_;            ///< of the image
   std::vector<std::uint32_t> image_groups_;  ///< that hold an axis of ours
   std::vector<double> in_, out_;             ///< all axes of the image
+  PositionDelays delays_;
 };
 
 }  // namespace axisc::motion

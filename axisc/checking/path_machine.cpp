@@ -10,8 +10,8 @@
 
 namespace axisc::says {
 
-constexpr Sentence not_a_command{"\"{value}\" is not a #FILTER command: {reason}",
-                                 "\"{value}\" ist kein #FILTER-Befehl: {reason}"};
+constexpr Sentence not_a_command{"\"{value}\" is not a command for filters: {reason}",
+                                 "\"{value}\" ist kein Befehl für Filter: {reason}"};
 constexpr Sentence no_path_axes{"{file} has no group of axes that could move on a path",
                                 "{file} hat keine Gruppe von Achsen, die eine Bahn fahren könnten"};
 constexpr Sentence too_many_axes{"group {group} has {axes} axes; a path has at most {limit}",
@@ -91,7 +91,7 @@ ImageFile image_of(machine::Machine const& machine, std::string const& path) {
 }
 
 motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup const& group,
-                                   std::string const& path) {
+                                   std::string const& path, machine::Machine const* machine) {
   if (group.axes.size() > motion::most_axes) {
     throw Failure({says::too_many_axes,
                    {{"group", group.name},
@@ -100,7 +100,13 @@ motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup
   }
   auto runtime = motion::GroupRuntime::create(image.bytes.bytes(), image.contents, group.axes);
   if (auto const* const status = std::get_if<axisrt_status>(&runtime)) throw unusable_image(path, *status);
-  return std::get<motion::GroupRuntime>(std::move(runtime));
+  auto made = std::get<motion::GroupRuntime>(std::move(runtime));
+  if (machine != nullptr) {
+    std::vector<machine::PositionDelay> delays;
+    for (auto const axis : group.axes) delays.push_back(machine->axes[axis].position_delay);
+    made.delay(delays);
+  }
+  return made;
 }
 
 std::size_t chosen_group(machine::Machine const& machine, std::optional<std::string> const& name,
@@ -144,7 +150,8 @@ std::vector<machine::FilterCommand> filters_on() {
   using machine::FilterCommand;
   using machine::FilterSwitch;
   return {FilterCommand{.filter_switch = FilterSwitch::on, .parameters = {}},
-          FilterCommand{.filter_switch = FilterSwitch::on, .hsc = true, .parameters = {}}};
+          FilterCommand{.filter_switch = FilterSwitch::on, .hsc = true, .parameters = {}},
+          FilterCommand{.filter_switch = FilterSwitch::on, .parameters = machine::guard_parameters()}};
 }
 
 }  // namespace axisc

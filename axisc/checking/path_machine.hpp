@@ -49,8 +49,10 @@ struct MachineRequest {
 [[nodiscard]] ImageFile image_of(machine::Machine const& machine, std::string const& path);
 
 /// The runtime for one of the machine's groups. Failure for more axes than a path has.
+/// With `machine`, whose axes the group's are, also what delays their positions after the filters.
 [[nodiscard]] motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup const& group,
-                                                 std::string const& path);
+                                                 std::string const& path,
+                                                 machine::Machine const* machine = nullptr);
 
 /// The group of that name; the first one without a name. Failure if there is none.
 [[nodiscard]] std::size_t chosen_group(machine::Machine const& machine,

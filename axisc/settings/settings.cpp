@@ -85,15 +85,20 @@ constexpr auto kind_words = [] {
 constexpr JsonShape kind_shape{.words = kind_words};
 
 constexpr JsonShape filter_reading_shape{.words = design::filter_reading_words};
-constexpr JsonShape kernel_reading_shape{.words = design::kernel_reading_words};
+constexpr JsonShape kernel_reading_shape{
+    .words =
+        std::span<std::string_view const>(design::kernel_reading_words).first(design::linear_phase_readings)};
+constexpr JsonShape guard_reading_shape{.words = design::guard_reading_words};
 constexpr JsonShape cycle_reading_shape{.words = design::cycle_reading_words};
 constexpr std::array design_keys = {
     JsonKey{"filters", &filter_reading_shape, optional, "Of the standard filters filter[i].",
             into<&design::Readings::filters>},
     JsonKey{"kernels", &kernel_reading_shape, optional, "Of filter_fir and the HSC filters.",
             into<&design::Readings::kernels>},
+    JsonKey{"vibration_guard", &guard_reading_shape, optional, "Of Vibration Guard.",
+            into<&design::Readings::guard>},
     JsonKey{"cycle_time", &cycle_reading_shape, optional,
-            "The cycle time that both are computed for, beside that of the NC.",
+            "The cycle time that all are computed for, beside that of the NC.",
             into<&design::Readings::cycle_time>}};
 constexpr JsonShape design_shape{
     .kind = Kind::object, .title = "What the control makes of its filters", .keys = design_keys};

@@ -65,6 +65,7 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
     };
     add_reading("design: filters", readings.filters);
     add_reading("design: kernels", readings.kernels);
+    add_reading("design: vibration_guard", readings.guard);
     add_reading("design: cycle_time", readings.cycle_time);
     machine::for_each_reading(settings->motion,
                               [&](std::string const& key, auto const& words, std::size_t i) {

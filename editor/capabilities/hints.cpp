@@ -1,17 +1,22 @@
 #include "editor/capabilities/hints.hpp"
 
 #include "design/filter_kinds.hpp"
+#include "design/kernels/vibration_guard.hpp"
+#include "diagnostics/format_number.hpp"
 #include "editor/meaning/dynamics_notes.hpp"
 #include "editor/reading/open_machines.hpp"
 #include "editor/reading/places.hpp"
+#include "editor/reading/requests.hpp"
 #include "schema/value.hpp"
 #include "validator/views/filter_view.hpp"
+#include "validator/views/guard_view.hpp"
 #include "validator/views/units_text.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace axisc::editor::says {
 
+constexpr Sentence half_period{"half a period: {time} ms", "halbe Periode: {time} ms"};
 constexpr Sentence defaults{"{values} by default", "{values} (Standard)"};
 
 }  // namespace axisc::editor::says
@@ -36,6 +41,14 @@ std::string quantity(OpenList const& list, schema::NameLookup const& found, gram
 std::string with_note(std::string quantity, std::string const& note) {
   if (note.empty()) return quantity;
   return quantity.empty() ? note : std::move(quantity) + ", " + note;
+}
+
+/// How far the impulses of the guard are apart, behind its frequency.
+std::string half_period_of(OpenList const& list, Language language) {
+  auto const guard = validator::GuardView(list.axis()->merged.values).specification(list.cycle_time());
+  if (!guard) return {};
+  double const milliseconds = design::guard_impulses(*guard)[1].time.value / 1000;
+  return say(says::half_period, language, {{"time", format_rounded(milliseconds, 3)}});
 }
 
 /// Values that the filter's type uses and no list sets: "order 2, guete 1".
@@ -75,8 +88,10 @@ Json hints(OpenMachines& machines, Json const& params) {
   DynamicsNotes notes(list, machines.language());
   for (auto const& line : list.tree().assignments) {
     auto const found_name = list.find(list.slice(line.name));
-    add(line.value.end,
-        with_note(quantity(list, found_name, line, machines.language()), notes.of(line, found_name)));
+    bool const is_guard =
+        found_name.row != nullptr && found_name.row->name == "vib_guard.freq" && list.axis() != nullptr;
+    auto const note = is_guard ? half_period_of(list, machines.language()) : notes.of(line, found_name);
+    add(line.value.end, with_note(quantity(list, found_name, line, machines.language()), note));
   }
   if (list.axis() == nullptr) return found;
   auto const& values = list.axis()->merged.values;

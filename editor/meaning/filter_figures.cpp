@@ -3,6 +3,7 @@
 #include "design/filter_analysis.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/repository_path.hpp"
+#include "editor/meaning/guard_figures.hpp"
 #include "editor/reading/requests.hpp"
 #include "presentation/pictures/svg.hpp"
 #include "validator/views/axis_views.hpp"
@@ -104,6 +105,9 @@ class Magnitude {
 std::string filter_figures(OpenList const& list, std::string_view name, bool markdown, Language language) {
   if (list.axis() == nullptr) return {};
   auto const cycle_time = list.cycle_time();
+  if (name.starts_with("vib_guard.")) {
+    return "\n" + listed_guard_text(list.axis()->merged.values, cycle_time, language) + "\n";
+  }
   validator::AxisViews const views(list.axis()->merged.values, cycle_time);
   auto const* const filter = filter_named(views.filters, name);
   auto const* const design = filter == nullptr ? nullptr : views.designs.of(*filter);

@@ -3,11 +3,13 @@
 #include "design/kernels/kernel_design.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
+#include "editor/meaning/guard_figures.hpp"
 #include "editor/reading/requests.hpp"
 #include "grammar/nc_program.hpp"
 #include "validator/commands/command_check.hpp"
 #include "validator/commands/command_keywords.hpp"
 #include "validator/views/axis_delay.hpp"
+#include "validator/views/guard_view.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,6 +26,11 @@ constexpr Sentence kernel_gaussian{"Gaussian", "Gauß"};
 constexpr Sentence kernel_sinc{"windowed sinc", "gefensterter Sinc"};
 constexpr Sentence kernel_delay{"time delay", "Totzeit"};
 constexpr Sentence kernel_novib{"NoVib", "NoVib"};
+constexpr Sentence kernel_guard{"Vibration Guard", "Vibration Guard"};
+constexpr Sentence guards_off{"Vibration Guards are off from here.",
+                              "Ab hier sind die Vibration Guards aus."};
+constexpr Sentence axis_guard{"- {axis}: Vibration Guard, {figures}", "- {axis}: Vibration Guard, {figures}"};
+constexpr Sentence axis_without_guard{"- {axis}: no Vibration Guard", "- {axis}: kein Vibration Guard"};
 constexpr Sentence axis_kernel{"- {axis}: {kernel} of order {order}, delay {delay} ms",
                                "- {axis}: {kernel} der Ordnung {order}, Verzögerung {delay} ms"};
 constexpr Sentence axis_without{"- {axis}: no FIR filter", "- {axis}: kein FIR-Filter"};
@@ -42,13 +49,26 @@ SentenceRef name_of(design::KernelType type) {
     case design::KernelType::gaussian: return says::kernel_gaussian;
     case design::KernelType::windowed_sinc: return says::kernel_sinc;
     case design::KernelType::time_delay: return says::kernel_delay;
+    case design::KernelType::vibration_guard: return says::kernel_guard;
     case design::KernelType::novib: break;
   }
   return says::kernel_novib;
 }
 
+std::string guard_of_axis(validator::LoadedAxis const& axis, design::CycleTime cycle_time,
+                          machine::FilterParameters const& given, Language language) {
+  auto const listed = validator::GuardView(axis.merged.values).specification(cycle_time);
+  auto const guard = listed ? validator::guard_after(*listed, given) : std::nullopt;
+  bool const is_there =
+      guard && axis.type != machine::AxisType::spindle && validator::can_be_compiled(*guard, cycle_time);
+  if (!is_there) return say(says::axis_without_guard, language, {{"axis", axis.name}});
+  return say(says::axis_guard, language,
+             {{"axis", axis.name}, {"figures", guard_text(*guard, cycle_time, language)}});
+}
+
 std::string line_of_axis(validator::LoadedAxis const& axis, design::CycleTime cycle_time,
                          machine::FilterParameters const& given, Language language) {
+  if (given.guard) return guard_of_axis(axis, cycle_time, given, language);
   auto const delay = validator::axis_delay(axis.merged.values, cycle_time);
   bool const has_kernel = delay && delay->kernel && delay->kernel->family == machine::KernelFamily::fir;
   if (!has_kernel) return say(says::axis_without, language, {{"axis", axis.name}});
@@ -99,7 +119,8 @@ std::optional<CommandHelp> command_help(std::string_view text, std::size_t offse
     if (!is_here) continue;
     CommandHelp help{.text = {}, .begin = command.name.begin, .end = end};
     if (checked.command->filter_switch == machine::FilterSwitch::off) {
-      help.text = say(says::switched_off, language) + "\n";
+      help.text =
+          say(checked.command->parameters.guard ? says::guards_off : says::switched_off, language) + "\n";
     } else if (checked.command->hsc) {
       help.text = say(says::hsc, language) + "\n";
     } else {

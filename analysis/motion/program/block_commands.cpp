@@ -33,9 +33,7 @@ std::string written(std::size_t at, NcBlock const& block) {
 void take_other_command(std::size_t at, NcBlock const& block, ProgramState& state) {
   Token const& token = block.tokens[at];
   auto const kind = block.commands[*token.command].kind;
-  if (kind == grammar::CommandKind::vibration_guard || kind == grammar::CommandKind::axis_exchange) {
-    return state.problems.refuse(block, token);
-  }
+  if (kind == grammar::CommandKind::axis_exchange) return state.problems.refuse(block, token);
   if (auto const* const word = motion_command_at(at, block)) {
     return take_motion_command(*word, at, block, state);
   }

@@ -147,7 +147,8 @@ std::size_t BlockWords::take_call(std::size_t at) {
 
 std::size_t BlockWords::take_command(std::size_t at) {
   Token const& token = block_.tokens[at];
-  if (block_.commands[*token.command].kind == grammar::CommandKind::filter) {
+  auto const kind = block_.commands[*token.command].kind;
+  if (kind == grammar::CommandKind::filter || kind == grammar::CommandKind::vibration_guard) {
     motion_.move();
     auto const change = read_filter_change(block_, token, state_.channel, state_.problems);
     if (change) state_.listener.command(*change);

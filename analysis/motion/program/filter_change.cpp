@@ -25,13 +25,11 @@ void shift(grammar::NcCommand& command, std::uint32_t base) {
   if (command.problem) move(command.problem->span);
 }
 
-std::string text_without_keywords(machine::FilterSwitch filter_switch) {
-  switch (filter_switch) {
-    case machine::FilterSwitch::on: return "#FILTER ON";
-    case machine::FilterSwitch::off: return "#FILTER OFF";
-    case machine::FilterSwitch::unchanged: return "#FILTER";
-  }
-  return "#FILTER";
+std::string text_without_keywords(machine::FilterCommand const& command) {
+  std::string text(command.name());
+  if (command.filter_switch == machine::FilterSwitch::on) text += " ON";
+  if (command.filter_switch == machine::FilterSwitch::off) text += " OFF";
+  return text;
 }
 
 /// From its name to the last keyword and the bracket after it.
@@ -67,8 +65,8 @@ std::optional<FilterChange> read_filter_change(NcBlock const& block, Token const
   if (change.command.tolerance) {
     change.tolerance = *change.command.tolerance * units_per_mm * (channel.inch ? mm_per_inch : 1);
   }
-  change.text = command.keywords.empty() ? text_without_keywords(change.command.filter_switch)
-                                         : text_of(command, block.lines);
+  change.text =
+      command.keywords.empty() ? text_without_keywords(change.command) : text_of(command, block.lines);
   change.line = token.line;
   return change;
 }

@@ -16,6 +16,9 @@ constexpr Sentence gaussian{"Gaussian", "Gauß"};
 constexpr Sentence windowed_sinc{"windowed sinc", "gefensterter Sinc"};
 constexpr Sentence time_delay{"time delay", "Zeitverzögerung"};
 constexpr Sentence novib{"NoVib", "NoVib"};
+constexpr Sentence guard{"Vibration Guard", "Vibration Guard"};
+constexpr Sentence mode{"{guard} mode {mode}, {frequency} Hz, damping {damping}",
+                        "{guard} Modus {mode}, {frequency} Hz, Dämpfung {damping}"};
 constexpr Sentence order{"{filter} order {order}", "{filter} Ordnung {order}"};
 constexpr Sentence quality{"quality {quality}", "Qualität {quality}"};
 
@@ -86,8 +89,8 @@ std::optional<std::string> filter_command(Chain const& chain, machine::KernelFam
 }
 
 std::string short_name(Chain const& chain, Language language) {
-  static constexpr std::array<SentenceRef, 5> kernel_names = {
-      says::moving_average, says::gaussian, says::windowed_sinc, says::time_delay, says::novib};
+  static constexpr std::array<SentenceRef, design::kernel_kinds.size()> kernel_names = {
+      says::moving_average, says::gaussian, says::windowed_sinc, says::time_delay, says::novib, says::guard};
   auto const say = [language](SentenceRef sentence, std::vector<Argument> arguments = {}) {
     return render({sentence, std::move(arguments)}, language);
   };
@@ -111,7 +114,14 @@ std::string short_name(Chain const& chain, Language language) {
             {design::uses_time_constant(filter.type), exact_number(filter.time_constant.value) + " µs"},
             {design::uses_quality(filter.type), quality(filter.quality)}});
   }
-  if (chain.kernel) {
+  if (chain.kernel && chain.kernel->type == KernelType::vibration_guard) {
+    auto const& guard = *chain.kernel;
+    append(say(says::mode, {{"guard", say(says::guard)},
+                            {"mode", std::to_string(guard.order)},
+                            {"frequency", exact_number(guard.frequency.value)},
+                            {"damping", exact_number(guard.quality)}}),
+           std::nullopt, {});
+  } else if (chain.kernel) {
     auto const& kernel = *chain.kernel;
     auto const& kind = design::kind_of(kernel.type);
     append(say(kernel_names[static_cast<std::size_t>(kernel.type)]),

@@ -255,6 +255,7 @@ std::string design_settings(design::Readings const& readings) {
   };
   add("filters", readings.filters);
   add("kernels", readings.kernels);
+  add("vibration_guard", readings.guard);
   add("cycle_time", readings.cycle_time);
   return "{\n  \"design\": {" + members + "}\n}\n";
 }

@@ -26,6 +26,11 @@ constexpr Sentence bends{
     "the axes' delays differ (filters or time delays are not the same): straight lines are bent",
     "die Verzögerungen der Achsen sind verschieden (Filter oder Zeitverzögerungen sind nicht gleich): "
     "Geraden werden gekrümmt"};
+constexpr Sentence delayed_after_filters{
+    "after the filters, positions are delayed as well: {axes} cycles (a reading; `--budget` names the "
+    "parameters)",
+    "nach den Filtern sind Positionen ebenfalls verzögert: {axes} Zyklen (eine Lesart; `--budget` nennt die "
+    "Parameter)"};
 constexpr Sentence allowed_feed{
     "an axis error of {tolerance} is kept at the corner up to {feed}, on the circle up to {circle}",
     "ein Achsfehler von {tolerance} wird an der Ecke bis {feed} eingehalten, auf dem Kreis bis {circle}"};
@@ -155,6 +160,20 @@ std::optional<Message> unreachable_feed(machine::Machine const& machine, machine
   return std::nullopt;
 }
 
+/// What delays the positions after their filters, where it differs.
+std::optional<Words> unequal_delays(machine::Machine const& machine, machine::MachineGroup const& group) {
+  Names delays;
+  bool differs = false;
+  for (auto const index : group.axes) {
+    auto const& axis = machine.axes[index];
+    auto const& first = machine.axes[group.axes.front()].position_delay;
+    differs = differs || !(axis.position_delay == first);
+    double const cycles = axis.position_delay.cycles + axis.position_delay.lag;
+    delays.push_back(axis.name + " " + format_rounded(cycles, 4).written());
+  }
+  return differs ? std::optional(Words(says::delayed_after_filters, {{"axes", delays}})) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Block> contour_blocks(GroupContour const& group, ContourRequest const& wanted) {
@@ -183,6 +202,7 @@ presentation::Document contour_answer(ContourQuestion const& question, machine::
     auto const found = predict_contour(
         {.machine = machine, .group = i, .commands = commands, .path = question.machine}, wanted);
     auto blocks = contour_blocks(found, wanted);
+    if (auto delays = unequal_delays(machine, group)) blocks.emplace_back(Paragraph{*std::move(delays)});
     blocks.insert(blocks.begin(),
                   Facts{{data("axes", Names(found.axes)), data("synchronous", found.synchronous),
                          data("angle_deg", wanted.angle_deg), data("radius_mm", wanted.radius_mm)}});

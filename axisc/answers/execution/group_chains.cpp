@@ -3,6 +3,7 @@
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/sentences.hpp"
+#include "configuration/machine/guards.hpp"
 
 #include <algorithm>
 
@@ -40,10 +41,10 @@ void GroupChains::add_order(std::uint32_t order) {
 
 std::vector<motion::ChainAnswer> GroupChains::answers(std::optional<std::uint32_t> order) {
   auto const& executed = part_ ? part_->machine.groups[part_->group] : group_;
-  if (!runtime_) runtime_.emplace(group_runtime(image(), executed, path_));
+  if (!runtime_) runtime_.emplace(group_runtime(image(), executed, path_, part_ ? &part_->machine : nullptr));
   static_cast<void>(runtime_->reset({}));
   for (auto command : commands_) {
-    if (order && !command.hsc) command.parameters.order = order;
+    if (order && command.reaches(machine::KernelFamily::fir)) command.parameters.order = order;
     static_cast<void>(runtime_->command(command));
   }
   auto answered = motion::chain_answers(*runtime_);
@@ -56,6 +57,8 @@ std::vector<motion::ChainAnswer> GroupChains::answers(std::optional<std::uint32_
 }
 
 void GroupChains::add_set(machine::FilterParameters const& parameters) {
+  // #VIB GUARD by itself gives every axis a guard; beside the others it switches on those that are there.
+  if (parameters.guard && commands_.size() == 1) machine::add_guards(part_->machine, part_->group);
   auto& sets = part_->machine.groups[part_->group].filter_sets;
   if (parameters.empty() || std::find(sets.begin(), sets.end(), parameters) != sets.end()) return;
   sets.push_back(parameters);

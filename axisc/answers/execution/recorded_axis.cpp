@@ -46,9 +46,8 @@ comparison::ChangeOver change_over(image::ImageContents const& image, std::size_
   if (!slot || !slot->group) return {};
   auto const& group = image.groups[*slot->group];
   comparison::ChangeOver lengths{.on = 0, .off = group.off_fade_cycles};
-  bool const hsc = slot->family == machine::KernelFamily::hsc;
   for (auto const& bank : group.banks) {
-    if (bank.parameters.empty() && bank.hsc == hsc) lengths.on = bank.fade_cycles;
+    if (bank.parameters.empty() && bank.family() == slot->family) lengths.on = bank.fade_cycles;
   }
   return lengths;
 }

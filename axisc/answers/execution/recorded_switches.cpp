@@ -8,8 +8,9 @@
 namespace axisc::says {
 
 constexpr Sentence nothing_to_switch{
-    "axis {axis} of {file} has no FIR or HSC filter that \"{command}\" could switch",
-    "Achse {axis} in {file} hat keinen FIR- oder HSC-Filter, den \"{command}\" schalten könnte"};
+    "axis {axis} of {file} has no FIR or HSC filter or guard that \"{command}\" could switch",
+    "Achse {axis} in {file} hat keinen FIR- oder HSC-Filter oder Vibration Guard, den \"{command}\" "
+    "schalten könnte"};
 constexpr Sentence still_changing{
     "\"{command}\" at cycle {cycle}: the filter is still changing over from the previous command, until "
     "cycle {end}",
@@ -47,6 +48,7 @@ std::vector<comparison::KernelSwitch> kernel_switches(std::vector<TimedCommand> 
                       {"cycle", std::to_string(command.cycle)},
                       {"end", std::to_string(end)}}});
     }
+    if (!command.command.reaches(slot->family)) continue;
     auto const& group = image.groups[*slot->group];
     auto const wanted = command.command.filter_switch;
     if (wanted != machine::FilterSwitch::unchanged) on = wanted == machine::FilterSwitch::on;

@@ -14,13 +14,14 @@ constexpr Sentence bad_timed_command{
     "--at {value}: erwartet wird ZYKLUS:BEFEHL, zum Beispiel \"100:#FILTER ON [ORDER=20]\""};
 constexpr Sentence bad_command{"--at {value}: {reason}", "--at {value}: {reason}"};
 constexpr Sentence no_banks{
-    "no axis of a channel in {file} has a FIR or HSC filter that \"{command}\" could switch",
-    "keine Achse eines Kanals in {file} hat einen FIR- oder HSC-Filter, den \"{command}\" schalten könnte"};
+    "no axis of a channel in {file} has a FIR or HSC filter or a guard that \"{command}\" could switch",
+    "keine Achse eines Kanals in {file} hat einen FIR- oder HSC-Filter oder einen Vibration Guard, den "
+    "\"{command}\" schalten könnte"};
 constexpr Sentence no_bank{
-    "{file} has no kernels for \"{command}\", which asks for {needed}; it has: {banks}. Name `#FILTER "
-    "{needed}` in filter_sets of the machine file",
-    "{file} enthält keine Kerne für \"{command}\", also für {needed}; vorhanden: {banks}. `#FILTER {needed}` "
-    "in filter_sets der Maschinendatei nennen"};
+    "{file} has no kernels for \"{command}\", which asks for {needed}; it has: {banks}. Name "
+    "`{needed}` in filter_sets of the machine file",
+    "{file} enthält keine Kerne für \"{command}\", also für {needed}; vorhanden: {banks}. `{needed}` in "
+    "filter_sets der Maschinendatei nennen"};
 constexpr Sentence late{
     "--at {cycle}:{command}: there is no such cycle; there are the cycles 0 to {last}",
     "--at {cycle}:{command}: diesen Zyklus gibt es nicht; es gibt die Zyklen 0 bis {last}"};
@@ -46,13 +47,15 @@ namespace {
   throw Failure({text, std::move(arguments)});
 }
 
-/// "ON [ORDER=20]".
+/// "#FILTER ON [ORDER=20]".
 std::string bank_text(machine::FilterParameters const& parameters, bool hsc) {
   auto const keywords = hsc ? "HSC" : to_text(parameters);
-  return keywords.empty() ? "ON" : "ON [" + keywords + "]";
+  std::string const on = parameters.guard ? "#VIB GUARD ON" : "#FILTER ON";
+  return keywords.empty() ? on : on + " [" + keywords + "]";
 }
 
-/// "ON, ON [ORDER=20], ON [HSC]": the commands that the image's channels can execute, each once.
+/// "#FILTER ON, #FILTER ON [ORDER=20], #FILTER ON [HSC]": the commands that the image's channels can execute,
+/// each once.
 std::string banks_of(image::ImageContents const& image) {
   std::vector<std::string> banks;
   for (auto const& group : image.groups) {

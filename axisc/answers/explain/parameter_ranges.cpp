@@ -95,7 +95,9 @@ void add_hsc(std::vector<TypeRange>& ranges, std::string_view name) {
 /// Of filter_fir, whose types are numbers.
 void add_kernels(std::vector<TypeRange>& ranges, std::string_view name) {
   for (auto const& kind : design::kernel_kinds) {
-    if (kind.type == design::KernelType::novib) continue;
+    bool const is_fir =
+        kind.type != design::KernelType::novib && kind.type != design::KernelType::vibration_guard;
+    if (!is_fir) continue;
     auto const type = std::to_string(static_cast<int>(kind.type) + 1);
     if (name == "filter_fir.order") add(ranges, type, range_words(0, false, kind.longest_order, false));
     if (name == "filter_fir.order_time") {

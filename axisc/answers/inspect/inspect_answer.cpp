@@ -43,6 +43,7 @@ constexpr Sentence nothing_passes{"nothing passes", "nichts geht durch"};
 constexpr Sentence no_filter{"no filter: setpoints pass unchanged",
                              "kein Filter: Sollwerte gehen unverändert durch"};
 constexpr Sentence slot{"linear-phase filter", "linearphasiger Filter"};
+constexpr Sentence guard_slot{"Vibration Guard", "Vibration Guard"};
 constexpr Sentence kernels{"kernels", "Kerne"};
 constexpr Sentence from_start{"{path}, works from start-up: {kernel}",
                               "{path}, wirkt ab dem Hochlauf: {kernel}"};
@@ -58,8 +59,21 @@ using namespace presentation;
 namespace {
 
 std::string slot_path(image::ImageSlot const& slot) {
-  bool const hsc = slot.family == machine::KernelFamily::hsc;
-  return hsc ? "filter[" + std::to_string(slot.index) + "]" : "filter_fir";
+  switch (slot.family) {
+    case machine::KernelFamily::hsc: return "filter[" + std::to_string(slot.index) + "]";
+    case machine::KernelFamily::fir: return "filter_fir";
+    case machine::KernelFamily::guard: return "vib_guard";
+  }
+  return {};
+}
+
+std::string_view family_word(machine::KernelFamily family) {
+  switch (family) {
+    case machine::KernelFamily::hsc: return "HSC";
+    case machine::KernelFamily::fir: return "FIR";
+    case machine::KernelFamily::guard: return "VIB GUARD";
+  }
+  return {};
 }
 
 /// The step response and the magnitudes of a setpoint chain.
@@ -90,9 +104,9 @@ Section chain_section(image::ImageContents const& image, std::size_t axis, image
   }
   auto const& slot = image.axes[axis].slot;
   if (slot) {
-    facts.fields.push_back(
-        shown(says::slot, Words(slot->on_at_start ? says::from_start : says::by_command,
-                                {{"path", slot_path(*slot)}, {"kernel", kernel_name(slot->kernel)}})));
+    facts.fields.push_back(shown(slot->family == machine::KernelFamily::guard ? says::guard_slot : says::slot,
+                                 Words(slot->on_at_start ? says::from_start : says::by_command,
+                                       {{"path", slot_path(*slot)}, {"kernel", kernel_name(slot->kernel)}})));
   }
   bool const is_filtered = slot || !image.axes[axis].filters.empty();
   return {.key = "chain",
@@ -114,11 +128,12 @@ Section axis_section(image::ImageContents const& image, std::size_t index,
   if (auto const& slot = axis.slot) {
     blocks.emplace_back(
         data_section("linear_phase_filter",
-                     {data("path", slot_path(*slot)),
-                      data("family", slot->family == machine::KernelFamily::hsc ? "HSC" : "FIR"),
+                     {data("path", slot_path(*slot)), data("family", family_word(slot->family)),
                       data("on_at_start", slot->on_at_start), data("kernel", index_value(slot->kernel)),
                       data("channel", index_value(slot->group))}));
   }
+  bool const is_guard = axis.slot && axis.slot->kernel && axis.slot->family == machine::KernelFamily::guard;
+  if (is_guard) blocks.emplace_back(guard_section(image.kernels[*axis.slot->kernel], image.cycle_time));
   if (axis.control) blocks.emplace_back(control_section(image, index));
   blocks.emplace_back(values_table("values", axis.values, Audience::programs));
   return section;

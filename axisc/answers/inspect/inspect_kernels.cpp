@@ -16,6 +16,7 @@ constexpr Sentence gaussian{"Gaussian", "Gauß"};
 constexpr Sentence windowed_sinc{"windowed sinc", "gefensterter Sinc"};
 constexpr Sentence time_delay{"time delay", "Totzeit"};
 constexpr Sentence novib{"NoVib", "NoVib"};
+constexpr Sentence guard{"Vibration Guard", "Vibration Guard"};
 constexpr Sentence taps{"taps", "Koeffizienten"};
 constexpr Sentence sum{"sum of the taps", "Summe der Koeffizienten"};
 constexpr Sentence zeros{"no gain at", "keine Verstärkung bei"};
@@ -38,6 +39,7 @@ Symbol type_symbol(design::KernelType type) {
     case design::KernelType::gaussian: return {"Gaussian", says::gaussian};
     case design::KernelType::windowed_sinc: return {"windowed sinc", says::windowed_sinc};
     case design::KernelType::time_delay: return {"time delay", says::time_delay};
+    case design::KernelType::vibration_guard: return {"Vibration Guard", says::guard};
     case design::KernelType::novib: break;
   }
   return {"NoVib", says::novib};
@@ -72,18 +74,30 @@ Table commands_table(image::ImageContents const& image, image::ImageGroup const&
   auto const slot_of = [&](std::size_t member) { return image.axes[group.members[member]].slot; };
   for (auto const& bank : group.banks) {
     auto const keywords = bank.hsc ? std::string("HSC") : to_text(bank.parameters);
+    std::string const on = bank.parameters.guard ? "#VIB GUARD ON" : "#FILTER ON";
     add(
-        keywords.empty() ? "#FILTER ON" : "#FILTER ON [" + keywords + "]",
+        keywords.empty() ? on : on + " [" + keywords + "]",
         [&](std::size_t member) {
           auto const& slot = slot_of(member);
-          bool const is_switched = slot && (slot->family == machine::KernelFamily::hsc) == bank.hsc;
+          bool const is_switched = slot && slot->family == bank.family();
           return is_switched ? kernel_name(bank.kernels[member]) : Value();
         },
         bank.fade_cycles);
   }
-  add(
-      "#FILTER OFF", [&](std::size_t member) { return slot_of(member) ? kernel_name({}) : Value(); },
-      group.off_fade_cycles);
+  auto const add_off = [&](std::string command, bool guards) {
+    auto const reaches = [&](std::size_t member) {
+      auto const& slot = slot_of(member);
+      return slot && (slot->family == machine::KernelFamily::guard) == guards;
+    };
+    bool is_any = false;
+    for (std::size_t member = 0; member < group.members.size(); ++member) is_any = is_any || reaches(member);
+    if (!is_any) return;
+    add(
+        std::move(command), [&](std::size_t member) { return reaches(member) ? kernel_name({}) : Value(); },
+        group.off_fade_cycles);
+  };
+  add_off("#FILTER OFF", false);
+  add_off("#VIB GUARD OFF", true);
   return table;
 }
 

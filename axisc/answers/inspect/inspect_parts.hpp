@@ -44,6 +44,9 @@ template <typename Reading>
 /// The filters of a chain with their sections, and with what the lists set for each.
 [[nodiscard]] presentation::Table filters_table(image::ImageAxis const& axis, bool interface,
                                                 design::CycleTime cycle_time);
+/// Impulses and robustness of a Vibration Guard.
+[[nodiscard]] presentation::Section guard_section(image::ImageKernel const& kernel,
+                                                  design::CycleTime cycle_time);
 /// Improved Position Control.
 [[nodiscard]] presentation::Section control_section(image::ImageContents const& image, std::size_t axis);
 [[nodiscard]] presentation::Table kernels_table(image::ImageContents const& image,

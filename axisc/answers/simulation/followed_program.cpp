@@ -4,6 +4,7 @@
 #include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/sentences.hpp"
+#include "configuration/machine/guards.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -162,6 +163,7 @@ bool survey_program(ProgramLines& program, ProgramRequest const& request, machin
   if (!survey(program, request, channel, collector, take)) return false;
   auto& sets = machine.groups[group].filter_sets;
   for (auto const& parameters : collector.sets) {
+    if (parameters.guard) machine::add_guards(machine, group);
     if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);
   }
   return true;
@@ -182,8 +184,8 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
       request.working(share, static_cast<double>(running->cycles()) * seconds);
     }
   };
-  motion::Simulation simulation(group_runtime(image, group, request.machine_path),
-                                group_runtime(image, group, request.machine_path),
+  motion::Simulation simulation(group_runtime(image, group, request.machine_path, &machine),
+                                group_runtime(image, group, request.machine_path, &machine),
                                 motion::PathLimits(path_dynamics(machine, group)), request.constant_velocity,
                                 listener, {.most_cycles = request.most_cycles, .working = show_progress});
   running = &simulation;

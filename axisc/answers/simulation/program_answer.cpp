@@ -12,8 +12,8 @@ namespace axisc::says {
 
 constexpr Sentence title{"{blocks} blocks, {cycles} cycles of {cycle_time}, {time}",
                          "{blocks} Sätze, {cycles} Zyklen zu {cycle_time}, {time}"};
-constexpr Sentence passes{"passes: from one #FILTER command to the next",
-                          "Durchgänge: von einem #FILTER-Befehl zum nächsten"};
+constexpr Sentence passes{"passes: from one command for filters to the next",
+                          "Durchgänge: von einem Filterbefehl zum nächsten"};
 constexpr Sentence block{"block", "Satz"};
 constexpr Sentence pass{"pass", "Durchgang"};
 constexpr Sentence axis_error{"axis error", "Achsfehler"};

@@ -5,6 +5,7 @@
 #include "diagnostics/format_number.hpp"
 #include "validator/views/filter_view.hpp"
 #include "validator/views/fir_view.hpp"
+#include "validator/views/guard_view.hpp"
 #include "validator/views/hsc_view.hpp"
 
 #include <algorithm>
@@ -123,6 +124,8 @@ void switch_off(std::vector<ListLine>& lines, EffectiveValues const& values) {
       lines.push_back({.name = parameter_name(filter.enable), .value = "0"});
     }
   }
+  validator::GuardView const guard(values);
+  if (guard.is_active()) lines.push_back({.name = parameter_name(guard.active), .value = "0"});
   validator::FirView const fir(values);
   if (sets(lines, parameter_name(fir.type))) {
     for (auto const* const value : {&fir.order_time, &fir.frequency, &fir.quality}) reset(lines, *value);

@@ -83,11 +83,10 @@ TEST_CASE("what is ignored is named once, what is refused each time") {
       "P10=5+\n"
       "LL SUB\n"
       "$SWITCH V.P.A\n"
-      "XP1\n"
-      "#VIB GUARD ON\n");
+      "XP1\n");
   CHECK(found.problems == Lines{"1:18 AX9007 M03", "2:13 AX9007 Z5", "4:1 AX9008 #SLOPE", "5:1 AX9007 #TIMER",
                                 "6:5 AX9008 X3", "7:6 AX9008 +", "8:1 AX9008 LL", "9:1 AX9008 $SWITCH",
-                                "10:1 AX9008 XP1", "11:1 AX9008 #VIB GUARD"});
+                                "10:1 AX9008 XP1"});
 }
 
 TEST_CASE("what would change the path is refused by its name") {

@@ -46,7 +46,8 @@ std::vector<FileKind> const& kinds() {
         "programs": ["b.nc"], "filter_sets": ["#FILTER ON"], "inch": false})"},
       {"docs/schemas/settings.schema.json", "docs/settings.md", axisc::settings_shape, R"({
         "cycle_time_us": 62.5, "build": "V3.1.3080.00", "language": "de", "disable": ["AX4007", "delay-too-long"],
-        "design": {"filters": "matched", "kernels": "taps-n", "cycle_time": "half"},
+        "design": {"filters": "matched", "kernels": "taps-n", "vibration_guard": "rounded",
+                   "cycle_time": "half"},
         "motion": {"projection": "longest-ramp", "borders": "continuous", "sine": "whole-change", "circle": "full",
                    "corner": "up-only", "weights": "a-follows-r", "cycles": "whole", "hsc": "trapez"},
         "severity": {"ax3013": "error"}, "schema": ["build.json"],

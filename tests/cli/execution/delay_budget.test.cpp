@@ -88,3 +88,45 @@ TEST_CASE("options of predictions mean nothing to the budget") {
   CHECK(outcome.status == 2);
   CHECK_THAT(outcome.err, Contains("--order") && Contains("--budget"));
 }
+
+TEST_CASE("contour and simulate contain what delays positions after the filters") {
+  TemporaryFolder const folder;
+  std::string const dynamics =
+      "getriebe[0].dynamik.vb_max 500000\ngetriebe[0].dynamik.a_max 10000\n"
+      "getriebe[0].lslope_profil.a_stufe_1 10000\ngetriebe[0].lslope_profil.a_stufe_2 10000\nEnde\n";
+  std::string const forward = "vorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\n";
+  folder.write("x.lis", forward + dynamics);
+  folder.write("y.lis", dynamics);
+  folder.write("p.nc", "N10 G01 X70 Y70 F4000\nM30\n");
+  auto const pair = [&](std::string const& second) {
+    folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
+                              {"name": "Y", "list": ")" +
+                               second + R"("}]})");
+    return in_folder(folder.path());
+  };
+  // 5 cycles of 1 ms between the axes at 45°: F ΔP/2 = 166.67 µm.
+  double const expected = 4000.0 / 60 * 5 / 2;
+  auto const simulated = [](Surroundings const& there) {
+    auto const outcome = run_axisc({"simulate", "m.json", "--program", "p.nc", "--format", "json"}, there);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return nlohmann::json::parse(outcome.out)["passes"][0]["max_contour_deviation_um"].get<double>();
+  };
+  auto const predicted = [](Surroundings const& there) {
+    auto const outcome = run_axisc({"contour", "m.json", "--feed", "4000", "--format", "json"}, there);
+    REQUIRE(outcome.status == 0);
+    double line = -1;
+    auto const found = nlohmann::json::parse(outcome.out);
+    for (auto const& row : found["groups"][0]["table"]) {
+      if (row["contour"] == "line") line = row["contour_deviation_um"].get<double>();
+    }
+    return line;
+  };
+  auto const unequal = pair("y.lis");
+  CHECK(predicted(unequal) == Approx(expected).margin(0.01));
+  CHECK(simulated(unequal) == Approx(expected).margin(0.01));
+  CHECK_THAT(run_axisc({"contour", "m.json"}, unequal).out, Catch::Matchers::Contains("X 5, Y 0 cycles"));
+  auto const equal = pair("x.lis");
+  CHECK(predicted(equal) == 0);
+  CHECK(simulated(equal) == 0);
+}

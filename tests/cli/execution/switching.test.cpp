@@ -81,8 +81,9 @@ TEST_CASE("what commands are refused") {
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Catch::Matchers::Contains(expected));
   };
-  check({"0:#FILTER ON [ORDER=40]", "5:#FILTER [SHARE=50]"}, "asks for ON [ORDER=40 SHARE=50]");
-  check({"0:#FILTER ON [ORDER=41]"}, "it has: ON, ON [ORDER=40], ON [ORDER=30 SHARE=50], ON [HSC]");
+  check({"0:#FILTER ON [ORDER=40]", "5:#FILTER [SHARE=50]"}, "asks for #FILTER ON [ORDER=40 SHARE=50]");
+  check({"0:#FILTER ON [ORDER=41]"},
+        "it has: #FILTER ON, #FILTER ON [ORDER=40], #FILTER ON [ORDER=30 SHARE=50], #FILTER ON [HSC]");
   check({"10:#FILTER ON [ORDERS=40]"}, "no keyword");
   check({"x:#FILTER ON"}, "expected CYCLE:COMMAND");
   check({"#FILTER ON"}, "expected CYCLE:COMMAND");
