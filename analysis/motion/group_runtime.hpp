@@ -1,8 +1,8 @@
 // The runtime as one NC channel sees it: its axes in the order of the path, and its filters to switch.
 #pragma once
 
-#include "analysis/motion/point.hpp"
 #include "analysis/motion/contour/position_delays.hpp"
+#include "analysis/motion/point.hpp"
 #include "axisrt.h"
 #include "configuration/machine/filter_command.hpp"
 #include "configuration/machine/machine.hpp"
