@@ -1,6 +1,7 @@
 #include "codegen/kernel_plan.hpp"
 
 #include "codegen/fade.hpp"
+#include "configuration/machine/guards.hpp"
 
 #include <algorithm>
 #include <set>
@@ -47,7 +48,7 @@ class Planner {
     bool has_slot = false;
     bool has_hsc = false;
     bool has_guard = false;
-    for (std::size_t const axis : group.axes) {
+    for (std::size_t const axis : reached_by(group)) {
       if (auto const slot_index = slot_of_axis_[axis]) {
         PlannedSlot& slot = plan_.slots[*slot_index];
         if (slot.group) continue;
@@ -67,6 +68,16 @@ class Planner {
     }
     if (has_hsc) add_bank(index, {}, true);
     if (has_guard) add_bank(index, machine::guard_parameters(), false);
+  }
+
+  /// The channel's axes, and slaves of gantries with a guard, which follow their master's commands.
+  [[nodiscard]] std::vector<std::size_t> reached_by(machine::MachineGroup const& group) const {
+    std::vector<std::size_t> axes = group.axes;
+    for (std::size_t const slave : machine::followers(machine_, group)) {
+      auto const& kernel = machine_.axes[slave].kernel;
+      if (kernel && kernel->family == machine::KernelFamily::guard) axes.push_back(slave);
+    }
+    return axes;
   }
 
   void add_bank(std::size_t group, machine::FilterParameters const& parameters, bool hsc) {

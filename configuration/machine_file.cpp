@@ -141,7 +141,7 @@ constexpr std::array machine_keys = {
     JsonKey{"programs", &json_texts, optional, "Programs that are checked against every group.",
             into<&MachineFile::programs>},
     JsonKey{"filter_sets", &filter_sets_shape, optional,
-            "#FILTER commands that programs may use beside those of `programs`.",
+            "#FILTER and #VIB GUARD commands that programs may use beside those of `programs`.",
             into<&MachineFile::filter_sets>},
     JsonKey{"inch", &json_flag, optional, "Lengths in programs are inches.", into<&MachineFile::inch>}};
 }  // namespace

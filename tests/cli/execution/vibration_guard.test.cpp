@@ -134,6 +134,30 @@ TEST_CASE("corners of a guard in closed form") {
   CHECK(fourth["contour_deviation_um"].get<double>() == Approx(error * std::numbers::sqrt2).margin(0.01));
 }
 
+TEST_CASE("the slave of a gantry is guarded as its master") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "vib_guard.mode 3\nvib_guard.freq 25\nEnde\n");
+  folder.write("x2.lis", "vib_guard.mode 1\nEnde\n");
+  folder.write("y.lis", "Ende\n");
+  folder.write("m.json", R"({"cycle_time_us": 1000, "filter_sets": ["#VIB GUARD ON [FREQ=20]"],
+      "axes": [{"name": "X", "list": "x.lis"}, {"name": "X2", "list": "x2.lis"}, {"name": "Y", "list": "y.lis"}],
+      "groups": [{"name": "mill", "axes": ["X", "Y"]}], "gantries": [{"master": "X", "slaves": ["X2"]}]})");
+  auto const there = in_folder(folder.path());
+  REQUIRE(run_axisc({"compile", "m.json", "-o", "m.axim", "--quiet"}, there).status == 0);
+  for (std::string const command : {"#VIB GUARD ON", "#VIB GUARD ON [FREQ=20]"}) {
+    auto const outcome = run_axisc({"run", "m.axim", "--cycles", "120", "--at", "0:" + command}, there);
+    REQUIRE(outcome.status == 0);
+    std::istringstream lines(outcome.out);
+    std::string line;
+    std::getline(lines, line);
+    CHECK(line == "X,X2,Y");
+    while (std::getline(lines, line)) {
+      auto const end = line.find(',');
+      CHECK(line.substr(0, end) == line.substr(end + 1, line.find(',', end + 1) - end - 1));
+    }
+  }
+}
+
 TEST_CASE("a command asks for guards that no list has") {
   TemporaryFolder const folder;
   auto const there = machine(folder, "");
@@ -158,6 +182,23 @@ TEST_CASE("a program's guards keep AX_DEV until a command does not name it") {
   CHECK(passes[1]["max_axis_error_um"].get<double>() > 10);
   CHECK(passes[2]["max_axis_error_um"] == 0);
   CHECK(passes[1]["command"] == "#VIB GUARD [FREQ=35]");
+}
+
+TEST_CASE("a guard that is too long to be compiled is an error, one of more than 200 cycles a note") {
+  TemporaryFolder const folder;
+  auto const lint = [&](std::string const& frequency, std::vector<std::string> const& more) {
+    auto const there =
+        machine(folder, "vib_guard.active 1\nvib_guard.mode 3\nvib_guard.freq " + frequency + "\n");
+    std::vector<std::string> words{"lint", "m.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_axisc(words, there);
+  };
+  auto const long_one = lint("1.2", {});
+  CHECK(long_one.status == 1);
+  CHECK_THAT(long_one.out, Contains("error[AX3027]") && Contains("960"));
+  CHECK(lint("5", {}).status == 0);
+  CHECK_THAT(lint("5", {}).out, !Contains("AX3027"));
+  CHECK_THAT(lint("5", {"--pedantic"}).out, Contains("note[AX3027]"));
 }
 
 TEST_CASE("a guard that cannot be is said, in lists and in commands") {

@@ -33,7 +33,7 @@ namespace {
 void describe(Finding& finding, design::KernelSpecification const& guard, design::CycleTime cycle_time) {
   bool const fits = can_be_compiled(guard, cycle_time);
   double const limit = fits ? longest_usual_guard : design::longest_guard;
-  if (!fits) finding.severity = Severity::error;
+  if (fits) finding.severity = Severity::note;
   finding.notes.push_back({fits ? says::limit_unknown : says::too_long, {{"limit", number(limit)}}});
   double const lowest = design::lowest_guard_frequency(guard, cycle_time, limit).value;
   finding.help.push_back({says::lowest,
@@ -74,7 +74,6 @@ void in_program(ProgramContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax3027{
-    .severity = Severity::note,
     .control = "50820",
     .parameters = "vib_guard.*",
     .needs = Needs::cycle_time,
