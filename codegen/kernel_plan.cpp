@@ -94,7 +94,7 @@ class Planner {
     auto const slot_index = slot_of_axis_[plan_.groups[group].members[member]];
     if (!slot_index) return no_kernel;
     PlannedSlot const& slot = plan_.slots[*slot_index];
-    if (slot.family != family_of(bank)) return no_kernel;
+    if (slot.family != machine::family_of(bank.parameters, bank.hsc)) return no_kernel;
     auto const& listed = machine_.axes[slot.axis].kernel->specification;
     std::uint32_t const kernel = kernels_.index_of(with_parameters(listed, bank.parameters));
     reachable_[*slot_index].insert(kernel);
@@ -129,7 +129,9 @@ class Planner {
   void set_fades(PlannedGroup& group) const {
     for (PlannedBank& bank : group.banks) {
       bank.fade_cycles = group_fade(group, [&](PlannedSlot const& slot, std::size_t member) {
-        return slot.family == family_of(bank) ? std::optional(bank.choices[member]) : std::nullopt;
+        return slot.family == machine::family_of(bank.parameters, bank.hsc)
+                   ? std::optional(bank.choices[member])
+                   : std::nullopt;
       });
     }
     // At the program's end guards return to the lists' values, which a runtime takes for a switch to OFF.
@@ -168,15 +170,6 @@ class Planner {
 };
 
 }  // namespace
-
-design::KernelSpecification with_parameters(design::KernelSpecification specification,
-                                            machine::FilterParameters const& parameters) {
-  if (parameters.order) specification.order = *parameters.order;
-  if (parameters.share_percent) specification.share_percent = *parameters.share_percent;
-  if (parameters.frequency) specification.frequency = *parameters.frequency;
-  if (parameters.quality) specification.quality = *parameters.quality;
-  return specification;
-}
 
 KernelPlan plan_kernels(machine::Machine const& machine, CompiledKernels& kernels,
                         std::function<double(std::size_t axis)> const& peak_gain) {

@@ -33,12 +33,6 @@ struct PlannedBank {
   std::uint32_t fade_cycles = 0;       ///< 0: at standstill only
 };
 
-/// The filters that a bank is for.
-[[nodiscard]] inline machine::KernelFamily family_of(PlannedBank const& bank) {
-  if (bank.parameters.guard) return machine::KernelFamily::guard;
-  return bank.hsc ? machine::KernelFamily::hsc : machine::KernelFamily::fir;
-}
-
 struct PlannedGroup {
   std::string name;
   std::vector<std::size_t> members;  ///< axes
@@ -50,10 +44,6 @@ struct KernelPlan {
   std::vector<PlannedSlot> slots;    ///< by rising axis
   std::vector<PlannedGroup> groups;  ///< those of which an axis has a slot
 };
-
-/// The kernel that a command makes of an axis' filter: the lists' values and what the parameters name.
-[[nodiscard]] design::KernelSpecification with_parameters(design::KernelSpecification specification,
-                                                          machine::FilterParameters const& parameters);
 
 /// `peak_gain(axis)` is that of the axis' other filters. Designs every kernel that a command can call for. An
 /// axis that several groups name belongs to the first of them.

@@ -56,10 +56,7 @@ struct ImageBank {
   std::vector<std::optional<std::size_t>> kernels;  ///< of each member
   std::uint32_t fade_cycles = 0;                    ///< 0: at standstill only
 
-  [[nodiscard]] machine::KernelFamily family() const {
-    if (parameters.guard) return machine::KernelFamily::guard;
-    return hsc ? machine::KernelFamily::hsc : machine::KernelFamily::fir;
-  }
+  [[nodiscard]] machine::KernelFamily family() const { return machine::family_of(parameters, hsc); }
 };
 
 struct ImageGroup {

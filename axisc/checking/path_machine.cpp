@@ -10,8 +10,8 @@
 
 namespace axisc::says {
 
-constexpr Sentence not_a_command{"\"{value}\" is not a command for filters: {reason}",
-                                 "\"{value}\" ist kein Befehl für Filter: {reason}"};
+constexpr Sentence unusable_command{"the command \"{value}\" cannot be used: {reason}",
+                                    "der Befehl \"{value}\" ist nicht verwendbar: {reason}"};
 constexpr Sentence no_path_axes{"{file} has no group of axes that could move on a path",
                                 "{file} hat keine Gruppe von Achsen, die eine Bahn fahren könnten"};
 constexpr Sentence too_many_axes{"group {group} has {axes} axes; a path has at most {limit}",
@@ -124,14 +124,19 @@ std::size_t chosen_group(machine::Machine const& machine, std::optional<std::str
   throw Failure({says::unknown_group, {{"group", *name}, {"groups", known}}});
 }
 
+std::string why_unusable(validator::CheckedCommand const& checked, Language language) {
+  if (checked.mistakes.empty()) return {};
+  auto const& mistake = checked.mistakes.front();
+  auto const what = render(mistake.message, language);
+  return mistake.label ? what + " (" + render(*mistake.label, language) + ")" : what;
+}
+
 machine::FilterCommand read_filter_command(machine::Machine const& machine,
                                            machine::MachineGroup const& group, std::string const& text,
                                            Language language) {
   auto const checked = validator::parse_filter_command(text, command_limits(machine, group));
   if (checked.command && checked.mistakes.empty()) return *checked.command;
-  auto const reason =
-      checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
-  throw Failure({says::not_a_command, {{"value", text}, {"reason", reason}}});
+  throw Failure({says::unusable_command, {{"value", text}, {"reason", why_unusable(checked, language)}}});
 }
 
 motion::FilterCommandReader filter_command_reader(machine::Machine const& machine,

@@ -62,6 +62,10 @@ struct MachineRequest {
 [[nodiscard]] validator::CommandLimits command_limits(machine::Machine const& machine,
                                                       machine::MachineGroup const& group);
 
+/// What is wrong with a command that a person typed, and what would be right; empty for a command without
+/// mistakes.
+[[nodiscard]] std::string why_unusable(validator::CheckedCommand const& checked, Language language);
+
 /// One #FILTER command of the command line. Failure for anything else.
 [[nodiscard]] machine::FilterCommand read_filter_command(machine::Machine const& machine,
                                                          machine::MachineGroup const& group,

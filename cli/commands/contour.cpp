@@ -14,8 +14,8 @@
 namespace axisc::cli::says {
 
 constexpr Sentence option_filter{
-    R"(what the program commands, "#FILTER ON [ORDER=20]" or "#FILTER OFF")",
-    R"(was das Programm kommandiert, "#FILTER ON [ORDER=20]" oder "#FILTER OFF")"};
+    R"(what the program commands, "#FILTER ON [ORDER=20]" or "#VIB GUARD ON")",
+    R"(was das Programm kommandiert, "#FILTER ON [ORDER=20]" oder "#VIB GUARD ON")"};
 
 constexpr Sentence option_budget{
     "what delays each axis, for position and feedforward, and what the difference costs at the first --feed",

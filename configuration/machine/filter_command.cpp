@@ -17,6 +17,23 @@ std::string to_text(FilterParameters const& parameters) {
   return text;
 }
 
+std::string to_text(FilterCommand const& command) {
+  std::string text = command.parameters.guard ? "#VIB GUARD" : "#FILTER";
+  if (command.filter_switch == FilterSwitch::off) return text + " OFF";
+  if (command.filter_switch == FilterSwitch::on) text += " ON";
+  std::string const keywords = command.hsc ? "HSC" : to_text(command.parameters);
+  return keywords.empty() ? text : text + " [" + keywords + "]";
+}
+
+design::KernelSpecification with_parameters(design::KernelSpecification listed,
+                                            FilterParameters const& parameters) {
+  if (parameters.order) listed.order = *parameters.order;
+  if (parameters.share_percent) listed.share_percent = *parameters.share_percent;
+  if (parameters.frequency) listed.frequency = *parameters.frequency;
+  if (parameters.quality) listed.quality = *parameters.quality;
+  return listed;
+}
+
 FilterParameters parameters_after(FilterParameters const& before, FilterCommand const& command) {
   if (command.filter_switch == FilterSwitch::off || command.hsc) return before;
   FilterParameters after = command.parameters;

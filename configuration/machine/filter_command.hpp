@@ -1,6 +1,7 @@
 // A #FILTER or #VIB GUARD command, checked and independent of its spelling.
 #pragma once
 
+#include "design/kernels/kernel_design.hpp"
 #include "design/units.hpp"
 
 #include <cstdint>
@@ -36,6 +37,16 @@ struct FilterParameters {
   return parameters;
 }
 
+/// The filters that a command with these parameters, or [HSC], switches on or changes.
+[[nodiscard]] inline KernelFamily family_of(FilterParameters const& parameters, bool hsc) {
+  if (parameters.guard) return KernelFamily::guard;
+  return hsc ? KernelFamily::hsc : KernelFamily::fir;
+}
+
+/// The kernel that a command makes of an axis' filter: the lists' values and what the parameters name.
+[[nodiscard]] design::KernelSpecification with_parameters(design::KernelSpecification listed,
+                                                          FilterParameters const& parameters);
+
 /// As a command would write it: "ORDER=20 SHARE=80", "MODE=2 FREQ=48"; empty for none. Numbers in their
 /// shortest exact form.
 [[nodiscard]] std::string to_text(FilterParameters const& parameters);
@@ -56,14 +67,13 @@ struct FilterCommand {
 
   /// #FILTER OFF reaches FIR filters as well as HSC filters.
   [[nodiscard]] bool reaches(KernelFamily family) const {
-    if (parameters.guard || family == KernelFamily::guard) {
-      return parameters.guard && family == KernelFamily::guard;
-    }
-    return filter_switch == FilterSwitch::off || (family == KernelFamily::hsc) == hsc;
+    bool const is_filter_off = filter_switch == FilterSwitch::off && !parameters.guard;
+    return is_filter_off ? family != KernelFamily::guard : family == family_of(parameters, hsc);
   }
-  /// "#FILTER" or "#VIB GUARD".
-  [[nodiscard]] std::string_view name() const { return parameters.guard ? "#VIB GUARD" : "#FILTER"; }
 };
+
+/// "#FILTER" or "#VIB GUARD", with what it names: "#FILTER ON [ORDER=20]". Without AX_DEV and ACC_FACT.
+[[nodiscard]] std::string to_text(FilterCommand const& command);
 
 /// The parameters in force after `command`, where `before` were set by earlier commands of the program: ON
 /// forgets them, without ON or OFF the command changes those that it names. OFF and [HSC] change none.

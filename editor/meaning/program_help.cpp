@@ -72,11 +72,7 @@ std::string line_of_axis(validator::LoadedAxis const& axis, design::CycleTime cy
   auto const delay = validator::axis_delay(axis.merged.values, cycle_time);
   bool const has_kernel = delay && delay->kernel && delay->kernel->family == machine::KernelFamily::fir;
   if (!has_kernel) return say(says::axis_without, language, {{"axis", axis.name}});
-  auto specification = delay->kernel->specification;
-  if (given.order) specification.order = *given.order;
-  if (given.share_percent) specification.share_percent = *given.share_percent;
-  if (given.frequency) specification.frequency = *given.frequency;
-  if (given.quality) specification.quality = *given.quality;
+  auto const specification = machine::with_parameters(delay->kernel->specification, given);
   bool const is_off = specification.order == 0 || (specification.type == design::KernelType::time_delay &&
                                                    specification.order > design::longest_kernel_delay);
   if (is_off) return say(says::axis_without, language, {{"axis", axis.name}});

@@ -79,8 +79,9 @@ TEST_CASE("equal kernels are designed once", "[kernel-plan]") {
 TEST_CASE("parameters change what they name", "[kernel-plan]") {
   KernelSpecification const listed{
       .type = KernelType::gaussian, .order = 7, .frequency = {30}, .quality = 0.5, .share_percent = 80};
-  CHECK(with_parameters(listed, {}) == listed);
-  KernelSpecification const all = with_parameters(listed, test::filter_set(9, 10, design::Hertz{12}, 1));
+  CHECK(machine::with_parameters(listed, {}) == listed);
+  KernelSpecification const all =
+      machine::with_parameters(listed, test::filter_set(9, 10, design::Hertz{12}, 1));
   CHECK(all ==
         KernelSpecification{
             .type = KernelType::gaussian, .order = 9, .frequency = {12}, .quality = 1, .share_percent = 10});

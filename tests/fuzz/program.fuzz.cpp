@@ -79,7 +79,8 @@ void check_meaning(NcCommand const& command, std::string_view bytes) {
             (*parameters.share_percent >= 0 && *parameters.share_percent <= 100));
     // What a command asks for can be written as a command that asks for it.
     if (checked.command->hsc) continue;
-    std::string const again = std::string(checked.command->name()) + " [" + to_text(parameters) + "]";
+    std::string const again =
+        std::string(parameters.guard ? "#VIB GUARD" : "#FILTER") + " [" + to_text(parameters) + "]";
     CheckedCommand const same = parse_filter_command(again, limits);
     require(same.mistakes.empty() && same.command && same.command->parameters == parameters);
   }

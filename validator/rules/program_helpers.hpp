@@ -13,6 +13,12 @@ namespace axisc::validator {
 /// True for a `#FILTER ON` that applies to FIR filters.
 [[nodiscard]] bool is_fir_filter_on(ProgramContext const& context, grammar::NcCommand const& command);
 
+/// True for `#VIB GUARD ON`.
+[[nodiscard]] inline bool is_guard_on(grammar::NcCommand const& command) {
+  return command.kind == grammar::CommandKind::vibration_guard &&
+         command.command_switch == grammar::CommandSwitch::on;
+}
+
 /// The names of the program's commands that `wanted` selects.
 template <typename Wanted>
 [[nodiscard]] std::vector<Span> commands_where(ProgramContext const& context, Wanted wanted) {

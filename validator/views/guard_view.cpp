@@ -50,12 +50,10 @@ EffectiveValue const& GuardView::anchor(EffectiveValue const& wanted) const {
   return active;
 }
 
-std::optional<design::KernelSpecification> guard_after(design::KernelSpecification listed,
+std::optional<design::KernelSpecification> guard_after(design::KernelSpecification const& listed,
                                                        machine::FilterParameters const& parameters) {
-  if (parameters.order) listed.order = *parameters.order;
-  if (parameters.frequency) listed.frequency = *parameters.frequency;
-  if (parameters.quality) listed.quality = *parameters.quality;
-  return listed.quality < 1 ? std::optional(listed) : std::nullopt;
+  auto const guard = machine::with_parameters(listed, parameters);
+  return guard.quality < 1 ? std::optional(guard) : std::nullopt;
 }
 
 bool can_be_compiled(design::KernelSpecification const& guard, design::CycleTime cycle_time) {

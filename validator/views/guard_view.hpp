@@ -29,7 +29,7 @@ struct GuardView {
 
 /// The guard that a command makes of the lists' one: none where its damping is 1.
 [[nodiscard]] std::optional<design::KernelSpecification> guard_after(
-    design::KernelSpecification listed, machine::FilterParameters const& parameters);
+    design::KernelSpecification const& listed, machine::FilterParameters const& parameters);
 
 /// A runtime takes it: its last impulse is within design::longest_guard cycles.
 [[nodiscard]] bool can_be_compiled(design::KernelSpecification const& guard, design::CycleTime cycle_time);

@@ -25,13 +25,6 @@ void shift(grammar::NcCommand& command, std::uint32_t base) {
   if (command.problem) move(command.problem->span);
 }
 
-std::string text_without_keywords(machine::FilterCommand const& command) {
-  std::string text(command.name());
-  if (command.filter_switch == machine::FilterSwitch::on) text += " ON";
-  if (command.filter_switch == machine::FilterSwitch::off) text += " OFF";
-  return text;
-}
-
 /// From its name to the last keyword and the bracket after it.
 std::string text_of(grammar::NcCommand const& command, std::string_view lines) {
   std::uint32_t last = command.name.end;
@@ -65,8 +58,7 @@ std::optional<FilterChange> read_filter_change(NcBlock const& block, Token const
   if (change.command.tolerance) {
     change.tolerance = *change.command.tolerance * units_per_mm * (channel.inch ? mm_per_inch : 1);
   }
-  change.text =
-      command.keywords.empty() ? text_without_keywords(change.command) : text_of(command, block.lines);
+  change.text = command.keywords.empty() ? to_text(change.command) : text_of(command, block.lines);
   change.line = token.line;
   return change;
 }

@@ -100,10 +100,6 @@ Names ids_of(std::vector<comparison::Departure> const& departures) {
   return ids;
 }
 
-std::string_view command_of(comparison::KernelSwitch const& one) {
-  return one.kernel ? "#FILTER ON" : "#FILTER OFF";
-}
-
 class Answer {
  public:
   Answer(std::string const& axis, RecordedAxis const& recorded)
@@ -158,11 +154,20 @@ class Answer {
     return fields;
   }
 
+  /// As a program would write the switch.
+  [[nodiscard]] std::string command_of(comparison::KernelSwitch const& one) const {
+    machine::FilterCommand command{
+        .filter_switch = one.kernel ? machine::FilterSwitch::on : machine::FilterSwitch::off,
+        .parameters = {}};
+    command.parameters.guard = recorded_.is_guard;
+    return to_text(command);
+  }
+
   /// What programs read.
   void facts() {
     auto const& columns = recorded_.columns;
     auto switches = table_of("found_switches", data_columns({"cycle", "command"}), recorded_.found_switches,
-                             [](auto const& one) {
+                             [this](auto const& one) {
                                return Row{one.cycle, command_of(one)};
                              });
     switches.audience = Audience::programs;

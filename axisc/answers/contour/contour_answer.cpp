@@ -4,10 +4,13 @@
 #include "axisc/answers/contour/passage_blocks.hpp"
 #include "axisc/answers/labels.hpp"
 #include "axisc/checking/path_machine.hpp"
+#include "configuration/machine/guards.hpp"
 #include "design/units.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
 namespace axisc::says {
 
@@ -161,17 +164,14 @@ std::optional<Message> unreachable_feed(machine::Machine const& machine, machine
 }
 
 /// What delays the positions after their filters, where it differs.
-std::optional<Words> unequal_delays(machine::Machine const& machine, machine::MachineGroup const& group) {
-  Names delays;
-  bool differs = false;
-  for (auto const index : group.axes) {
-    auto const& axis = machine.axes[index];
-    auto const& first = machine.axes[group.axes.front()].position_delay;
-    differs = differs || !(axis.position_delay == first);
-    double const cycles = axis.position_delay.cycles + axis.position_delay.lag;
-    delays.push_back(axis.name + " " + format_rounded(cycles, 4).written());
+void add_unequal_delays(std::vector<Block>& blocks, GroupContour const& group) {
+  auto const& delays = group.position_delays;
+  if (std::adjacent_find(delays.begin(), delays.end(), std::not_equal_to<>()) == delays.end()) return;
+  Names axes;
+  for (std::size_t i = 0; i < delays.size(); ++i) {
+    axes.push_back(group.axes[i] + " " + format_rounded(delays[i].cycles + delays[i].lag, 4).written());
   }
-  return differs ? std::optional(Words(says::delayed_after_filters, {{"axes", delays}})) : std::nullopt;
+  blocks.emplace_back(Paragraph{Words(says::delayed_after_filters, {{"axes", axes}})});
 }
 
 }  // namespace
@@ -179,6 +179,7 @@ std::optional<Words> unequal_delays(machine::Machine const& machine, machine::Ma
 std::vector<Block> contour_blocks(GroupContour const& group, ContourRequest const& wanted) {
   std::vector<Block> blocks{table_of(group, wanted)};
   if (!group.synchronous) blocks.emplace_back(Paragraph{says::bends});
+  add_unequal_delays(blocks, group);
   if (group.limits) add_limits(blocks, group);
   for (auto& block : passage_blocks(group, wanted)) blocks.push_back(std::move(block));
   return blocks;
@@ -199,10 +200,13 @@ presentation::Document contour_answer(ContourQuestion const& question, machine::
         question.filter
             ? std::vector{read_filter_command(machine, group, *question.filter, question.language)}
             : filters_on();
+    // #VIB GUARD gives every axis a guard, whatever the lists say.
+    std::optional<machine::Machine> guarded;
+    if (commands.front().parameters.guard) machine::add_guards(guarded.emplace(machine), i);
     auto const found = predict_contour(
-        {.machine = machine, .group = i, .commands = commands, .path = question.machine}, wanted);
+        {.machine = guarded ? *guarded : machine, .group = i, .commands = commands, .path = question.machine},
+        wanted);
     auto blocks = contour_blocks(found, wanted);
-    if (auto delays = unequal_delays(machine, group)) blocks.emplace_back(Paragraph{*std::move(delays)});
     blocks.insert(blocks.begin(),
                   Facts{{data("axes", Names(found.axes)), data("synchronous", found.synchronous),
                          data("angle_deg", wanted.angle_deg), data("radius_mm", wanted.radius_mm)}});

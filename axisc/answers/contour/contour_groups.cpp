@@ -69,7 +69,10 @@ GroupContour predict_contour(ContourGroup const& group, ContourRequest const& wa
                      .dynamics = path_dynamics(group.machine, chains.group()),
                      .acceleration_factor = acceleration_factor(group.commands),
                      .limits = {}};
-  for (auto const axis : chains.group().axes) found.axes.push_back(group.machine.axes[axis].name);
+  for (auto const axis : chains.group().axes) {
+    found.axes.push_back(group.machine.axes[axis].name);
+    found.position_delays.push_back(group.machine.axes[axis].position_delay);
+  }
   for (double const feed : wanted.feeds) {
     double const velocity = path_velocity(feed, cycle_time);
     auto const planes = motion::pass_corner(

@@ -53,7 +53,8 @@ struct GroupContour {
   motion::PathDynamics dynamics;     ///< with which the control passes the corner
   double acceleration_factor = 1;    ///< ACC_FACT
   std::optional<ContourLimits> limits;
-  bool synchronous = true;  ///< all axes have the same delay
+  bool synchronous = true;                                   ///< all axes have the same delay
+  std::vector<machine::PositionDelay> position_delays = {};  ///< after the filters, of each axis
 };
 
 /// A group with its filters switched by these commands.

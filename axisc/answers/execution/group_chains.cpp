@@ -3,7 +3,6 @@
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/sentences.hpp"
-#include "configuration/machine/guards.hpp"
 
 #include <algorithm>
 
@@ -57,8 +56,6 @@ std::vector<motion::ChainAnswer> GroupChains::answers(std::optional<std::uint32_
 }
 
 void GroupChains::add_set(machine::FilterParameters const& parameters) {
-  // #VIB GUARD by itself gives every axis a guard; beside the others it switches on those that are there.
-  if (parameters.guard && commands_.size() == 1) machine::add_guards(part_->machine, part_->group);
   auto& sets = part_->machine.groups[part_->group].filter_sets;
   if (parameters.empty() || std::find(sets.begin(), sets.end(), parameters) != sets.end()) return;
   sets.push_back(parameters);

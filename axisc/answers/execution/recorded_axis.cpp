@@ -93,10 +93,12 @@ RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, s
                           std::vector<comparison::KernelSwitch> switches) {
   auto chain = configured(image, axis);
   chain.switches = std::move(switches);
-  RecordedAxis found{.columns = read_recorded_columns(path, open_source(path), columns, image.cycle_time),
-                     .readings = comparison::readings(chain),
-                     .result = {},
-                     .is_rotary = image.axes[axis].type != translatory};
+  RecordedAxis found{
+      .columns = read_recorded_columns(path, open_source(path), columns, image.cycle_time),
+      .readings = comparison::readings(chain),
+      .result = {},
+      .is_guard = image.axes[axis].slot && image.axes[axis].slot->family == machine::KernelFamily::guard,
+      .is_rotary = image.axes[axis].type != translatory};
   auto const& recording = found.columns.recording;
   bool const whole = is_whole(recording.input, recording.gaps) && is_whole(recording.output, recording.gaps);
   found.thousandths = thousandths_of(unit, image.axes[axis], whole);

@@ -18,6 +18,7 @@ struct RecordedAxis {
   std::vector<comparison::Reading> readings;  ///< the first is what axisc computes
   comparison::Comparison result;
   double thousandths = 1;  ///< µm, or 0.001°, in a unit of the recording
+  bool is_guard = false;   ///< what the commands switch is a Vibration Guard
   bool is_rotary = false;
   std::vector<comparison::KernelSwitch>
       found_switches{};   ///< not given with `--at`; without them nothing fits

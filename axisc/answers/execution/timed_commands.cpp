@@ -1,6 +1,7 @@
 #include "axisc/answers/execution/timed_commands.hpp"
 
 #include "axisc/asked/quantities.hpp"
+#include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "diagnostics/joined.hpp"
 #include "validator/commands/command_check.hpp"
@@ -47,11 +48,10 @@ namespace {
   throw Failure({text, std::move(arguments)});
 }
 
-/// "#FILTER ON [ORDER=20]".
+/// The command that switches a bank on.
 std::string bank_text(machine::FilterParameters const& parameters, bool hsc) {
-  auto const keywords = hsc ? "HSC" : to_text(parameters);
-  std::string const on = parameters.guard ? "#VIB GUARD ON" : "#FILTER ON";
-  return keywords.empty() ? on : on + " [" + keywords + "]";
+  return to_text(machine::FilterCommand{
+      .filter_switch = machine::FilterSwitch::on, .hsc = hsc, .parameters = parameters});
 }
 
 /// "#FILTER ON, #FILTER ON [ORDER=20], #FILTER ON [HSC]": the commands that the image's channels can execute,
@@ -97,9 +97,7 @@ TimedCommand read_timed_command(std::string const& word, ImageFile const& file, 
   if (file.contents.groups.empty()) refuse(says::no_banks, command, path);
   auto checked = validator::parse_filter_command(command.text, limits_of(file.contents));
   if (!checked.mistakes.empty() || !checked.command) {
-    auto const reason =
-        checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
-    throw Failure({says::bad_command, {{"value", word}, {"reason", reason}}});
+    throw Failure({says::bad_command, {{"value", word}, {"reason", why_unusable(checked, language)}}});
   }
   command.command = *checked.command;
   return command;

@@ -12,14 +12,15 @@
 namespace axisc::says {
 
 constexpr Sentence delay_title{"Group delay at 0 Hz: {axes}", "Gruppenlaufzeit bei 0 Hz: {axes}"};
-constexpr Sentence delay_title_on{"Group delay at 0 Hz, FIR and HSC filters on: {axes}",
-                                  "Gruppenlaufzeit bei 0 Hz, FIR- und HSC-Filter an: {axes}"};
+constexpr Sentence delay_title_on{"Group delay at 0 Hz, all filters on: {axes}",
+                                  "Gruppenlaufzeit bei 0 Hz, alle Filter an: {axes}"};
 constexpr Sentence delay_before{"{axis}, before", "{axis}, vorher"};
 constexpr Sentence delay_was{"before [ms]", "vorher [ms]"};
 constexpr Sentence delay_is{"now [ms]", "jetzt [ms]"};
 constexpr Sentence delay_kernel{"FIR/HSC filter", "FIR-/HSC-Filter"};
+constexpr Sentence delay_guard{"Vibration Guard", "Vibration Guard"};
 constexpr Sentence delay_total{"sum", "Summe"};
-constexpr Sentence delay_at_start{"sum at start-up, before #FILTER ON", "Summe ab Hochlauf, vor #FILTER ON"};
+constexpr Sentence delay_at_start{"sum at start-up", "Summe ab Hochlauf"};
 constexpr Sentence delay_said{"{axis} {delay} ms", "{axis} {delay} ms"};
 constexpr Sentence delay_said_both{"{axis} {delay} ms, at start-up {start} ms",
                                    "{axis} {delay} ms, ab Hochlauf {start} ms"};
@@ -43,7 +44,7 @@ struct AxisDelay {
   bool was = false;  ///< of the earlier state
   std::vector<DelayShare> shares;
   double total = 0;
-  std::optional<double> at_start = {};  ///< the total as long as no #FILTER ON switched the kernel on
+  std::optional<double> at_start = {};  ///< the total as long as no command switched the kernel on
 };
 
 /// Of the kernel in ms: of what --at switched on, else of the listed one, which programs switch on.
@@ -77,7 +78,9 @@ AxisDelay delay_of(PlotSubject const& subject, PlottedImage const& image, std::s
   if (!slot) return delay;
   double const kernel = kernel_delay(subject, image, axis, delay.total);
   if (!subject.is_switched && !slot->on_at_start && kernel != 0) delay.at_start = delay.total;
-  delay.shares.push_back({.name = subject.say(says::delay_kernel), .milliseconds = kernel});
+  bool const is_guard = slot->family == machine::KernelFamily::guard;
+  delay.shares.push_back(
+      {.name = subject.say(is_guard ? says::delay_guard : says::delay_kernel), .milliseconds = kernel});
   delay.total += kernel;
   return delay;
 }

@@ -73,10 +73,9 @@ Table commands_table(image::ImageContents const& image, image::ImageGroup const&
   };
   auto const slot_of = [&](std::size_t member) { return image.axes[group.members[member]].slot; };
   for (auto const& bank : group.banks) {
-    auto const keywords = bank.hsc ? std::string("HSC") : to_text(bank.parameters);
-    std::string const on = bank.parameters.guard ? "#VIB GUARD ON" : "#FILTER ON";
     add(
-        keywords.empty() ? on : on + " [" + keywords + "]",
+        to_text(machine::FilterCommand{
+            .filter_switch = machine::FilterSwitch::on, .hsc = bank.hsc, .parameters = bank.parameters}),
         [&](std::size_t member) {
           auto const& slot = slot_of(member);
           bool const is_switched = slot && slot->family == bank.family();

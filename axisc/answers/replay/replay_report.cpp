@@ -51,24 +51,18 @@ std::string_view level_name(std::uint32_t level) {
 }
 
 /// As an NC program would write it.
-std::string command_text(axisrt_filter_command const& command) {
-  std::string words;
-  auto const add = [&](std::uint32_t keyword, std::string const& word) {
-    if ((command.keywords & keyword) == 0) return;
-    words += words.empty() ? word : " " + word;
-  };
-  add(AXISRT_KEYWORD_ORDER, "ORDER=" + std::to_string(command.order));
-  add(AXISRT_KEYWORD_SHARE, "SHARE=" + format_exact(command.share));
-  add(AXISRT_KEYWORD_FCUT, "FCUT=" + format_exact(command.fcut));
-  add(AXISRT_KEYWORD_QUALITY, "QUALITY=" + format_exact(command.quality));
-  add(AXISRT_KEYWORD_HSC, "HSC");
-  std::string const bracket = words.empty() ? "" : " [" + words + "]";
-  switch (command.action) {
-    case AXISRT_ACTION_ON: return "#FILTER ON" + bracket;
-    case AXISRT_ACTION_OFF: return "#FILTER OFF";
-    case AXISRT_ACTION_PROGRAM_END: return "M30";
-    default: return "#FILTER" + bracket;
-  }
+std::string command_text(axisrt_filter_command const& words) {
+  if (words.action == AXISRT_ACTION_PROGRAM_END) return "M30";
+  auto const has = [&words](std::uint32_t keyword) { return (words.keywords & keyword) != 0; };
+  machine::FilterCommand command{.hsc = has(AXISRT_KEYWORD_HSC), .parameters = {}};
+  if (words.action == AXISRT_ACTION_ON) command.filter_switch = machine::FilterSwitch::on;
+  if (words.action == AXISRT_ACTION_OFF) command.filter_switch = machine::FilterSwitch::off;
+  command.parameters.guard = has(AXISRT_KEYWORD_GUARD);
+  if (has(AXISRT_KEYWORD_ORDER)) command.parameters.order = words.order;
+  if (has(AXISRT_KEYWORD_SHARE)) command.parameters.share_percent = words.share;
+  if (has(AXISRT_KEYWORD_FCUT)) command.parameters.frequency = design::Hertz{words.fcut};
+  if (has(AXISRT_KEYWORD_QUALITY)) command.parameters.quality = words.quality;
+  return to_text(command);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ constexpr Sentence axis_heading{"Axis {axis}", "Achse {axis}"};
 constexpr Sentence no_axis_filter{"No filter: setpoints pass unchanged.",
                                   "Kein Filter: Sollwerte gehen unverändert durch."};
 constexpr Sentence kernel_is_off{
-    "As from start-up, where the FIR/HSC filter is off; what it does after #FILTER ON is under the contours.",
-    "Wie ab Hochlauf, wo der FIR-/HSC-Filter aus ist; was er nach #FILTER ON tut, steht bei den Konturen."};
+    "As from start-up, before a program switches its filter on; what it does then is under the contours.",
+    "Wie ab Hochlauf, bevor ein Programm ihren Filter einschaltet; was er dann tut, steht bei den Konturen."};
 constexpr Sentence values_summary{"What its lists set, and where", "Was ihre Listen setzen, und wo"};
 constexpr Sentence coefficients_summary{"Filters, coefficients and poles", "Filter, Koeffizienten und Pole"};
 

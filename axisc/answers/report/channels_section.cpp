@@ -9,8 +9,8 @@ namespace axisc::says {
 constexpr Sentence channel_heading{"Channel {group}", "Kanal {group}"};
 constexpr Sentence only_channel{"All axes", "Alle Achsen"};
 constexpr Sentence filters_are_on{
-    "Contour deviation with FIR and HSC filters on, as after #FILTER ON.",
-    "Bahnabweichung mit eingeschalteten FIR- und HSC-Filtern, wie nach #FILTER ON."};
+    "Contour deviation with all filters on, as after #FILTER ON or #VIB GUARD ON.",
+    "Bahnabweichung mit allen Filtern, wie nach #FILTER ON oder #VIB GUARD ON."};
 
 }  // namespace axisc::says
 

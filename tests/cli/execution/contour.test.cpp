@@ -112,7 +112,7 @@ TEST_CASE("filters as a command wants them") {
   auto const half = contour(there, {"--filter", "#FILTER ON [SHARE=50]"});
   CHECK(half["axis_error_um"]["X"].get<double>() == Approx(85.3659 / 2).epsilon(1e-5));
   CHECK_THAT(run_axisc({"contour", "m.json", "--filter", "#FILTER ON [ORDER=999]"}, there).err,
-             Catch::Matchers::Contains("is not a command for filters"));
+             Catch::Matchers::Contains("cannot be used: `ORDER=999` is out of range (0 ≤ ORDER ≤ 200"));
 }
 
 TEST_CASE("machines with NC programs of their own, whose bytes the image remembers") {

@@ -184,6 +184,19 @@ TEST_CASE("a program's guards keep AX_DEV until a command does not name it") {
   CHECK(passes[1]["command"] == "#VIB GUARD [FREQ=35]");
 }
 
+TEST_CASE("a recording names the guard's commands as programs write them") {
+  TemporaryFolder const folder;
+  auto const there = machine(folder, guard(1), R"("filter_sets": ["#VIB GUARD ON [MODE=2 FREQ=41.5]"], )");
+  REQUIRE(run_axisc({"compile", "m.json", "-o", "m.axim", "--quiet"}, there).status == 0);
+  REQUIRE(run_axisc({"run", "m.axim", "--cycles", "20", "--at", "3:#VIB GUARD ON [MODE=2 FREQ=41.5]", "--at",
+                     "9:#VIB GUARD OFF", "--record", "r.axrd", "-o", "run.csv"},
+                    there)
+              .status == 0);
+  auto const replayed = run_axisc({"replay", "m.axim", "r.axrd"}, there);
+  CHECK(replayed.status == 0);
+  CHECK_THAT(replayed.out, Contains("#VIB GUARD ON [MODE=2 FREQ=41.5]") && Contains("#VIB GUARD OFF"));
+}
+
 TEST_CASE("a guard that is too long to be compiled is an error, one of more than 200 cycles a note") {
   TemporaryFolder const folder;
   auto const lint = [&](std::string const& frequency, std::vector<std::string> const& more) {

@@ -17,7 +17,7 @@ constexpr Sentence of_command{
     "der Befehl nimmt die Dämpfung der Listen, die für {axes} 1 ist: es gibt keine Schwingung zu formen"};
 constexpr Sentence damping_here{"the damping is set here", "hier wird die Dämpfung gesetzt"};
 constexpr Sentence measure{
-    "enter the measured damping ratio of the mechanics; that of machine tools is around 0.02 to 0.1",
+    "enter the measured damping ratio of the mechanics; the default is 0.1",
     "das gemessene Dämpfungsmaß der Mechanik eintragen; das von Werkzeugmaschinen liegt etwa bei 0,02 bis "
     "0,1"};
 
@@ -48,9 +48,7 @@ void in_program(ProgramContext const& context, Report& report) {
     return is_one(guard) && !guard.is_active();
   });
   auto const spans = commands_where(context, [&](grammar::NcCommand const& command) {
-    return command.kind == grammar::CommandKind::vibration_guard &&
-           command.command_switch == grammar::CommandSwitch::on &&
-           find_keyword(command, context.text, "DAMPING") == nullptr;
+    return is_guard_on(command) && find_keyword(command, context.text, "DAMPING") == nullptr;
   });
   if (axes.empty() || spans.empty()) return;
   Finding& finding =

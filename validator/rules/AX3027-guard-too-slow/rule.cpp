@@ -5,6 +5,8 @@
 #include "validator/rules/guards.hpp"
 #include "validator/rules/helpers.hpp"
 
+#include <cmath>
+
 namespace axisc::validator::says {
 
 constexpr Sentence slow{"the last impulse of the Vibration Guard comes after {cycles} cycles",

@@ -5,6 +5,9 @@
 #include "validator/rules/guards.hpp"
 #include "validator/rules/helpers.hpp"
 
+#include <optional>
+#include <utility>
+
 namespace axisc::validator::says {
 
 constexpr Sentence coarse{

@@ -45,10 +45,7 @@ void fir_with_hsc(AxisContext const& axis, Report& report) {
 void guard_with_hsc(ProgramContext const& context, Report& report) {
   auto const axes =
       axes_where(context, [](EffectiveValues const& values) { return !configured_hsc(values).empty(); });
-  auto const spans = commands_where(context, [](grammar::NcCommand const& command) {
-    return command.kind == grammar::CommandKind::vibration_guard &&
-           command.command_switch == grammar::CommandSwitch::on;
-  });
+  auto const spans = commands_where(context, is_guard_on);
   if (axes.empty() || spans.empty()) return;
   Finding& finding =
       report_at_last(context, report, spans, message(says::command, {{"axes", names_of(axes)}}));

@@ -40,7 +40,7 @@ void filter_with_guard_in_list(ProgramContext const& context, Report& report) {
 extern constinit Rule const ax5004{
     .control = "50987",
     .parameters = "vib_guard.active",
-    .check = filter_with_guard_in_list,
+    .program_check = filter_with_guard_in_list,
 };
 
 }  // namespace axisc::validator::checks

@@ -42,7 +42,7 @@ extern constinit Rule const ax5005{
     .control = "50988",
     .parameters = "filter_fir.type",
     .silenced_by = codes<5003>,
-    .check = guard_with_fir_in_list,
+    .program_check = guard_with_fir_in_list,
 };
 
 }  // namespace axisc::validator::checks

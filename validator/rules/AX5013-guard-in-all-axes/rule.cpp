@@ -3,6 +3,8 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
+#include <algorithm>
+
 namespace axisc::validator::says {
 
 constexpr Sentence in_all{
@@ -26,10 +28,7 @@ void guard_in_all_axes(ProgramContext const& context, Report& report) {
   auto const reached =
       std::count_if(context.group->axes.begin(), context.group->axes.end(),
                     [&](std::size_t axis) { return machine.axes[axis].type != machine::AxisType::spindle; });
-  auto const spans = commands_where(context, [](grammar::NcCommand const& command) {
-    return command.kind == grammar::CommandKind::vibration_guard &&
-           command.command_switch == grammar::CommandSwitch::on;
-  });
+  auto const spans = commands_where(context, is_guard_on);
   if (spans.empty() || static_cast<std::size_t>(reached) == axes.size()) return;
   Finding& finding =
       report_at_last(context, report, spans, message(says::in_all, {{"axes", names_of(axes)}}));

@@ -3,6 +3,8 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
+#include <string>
+
 namespace axisc::validator::says {
 
 constexpr Sentence dropped{"this command ends the tolerance monitoring: it does not name AX_DEV",
