@@ -79,6 +79,13 @@ void store_axis_type(JsonDocument const& /*document*/, JsonValue const& value, M
                                                               : machine::AxisType::spindle;
 }
 
+/// As long as AX8000 drives delay at most (0x3062:02: 10 ms), and ten times that for others.
+constexpr JsonShape drive_delay_shape{.kind = Kind::number, .lowest = 0, .highest = 100'000};
+
+void store_drive_delay(JsonDocument const& /*document*/, JsonValue const& value, MachineFileAxis& axis) {
+  axis.drive_delay_us = value.number;
+}
+
 constexpr std::array axis_keys = {
     JsonKey{"name", &name_shape, required, "Name of the axis, unique in the machine.",
             into<&MachineFileAxis::name>},
@@ -89,7 +96,9 @@ constexpr std::array axis_keys = {
     JsonKey{"position_control", &position_control_shape, optional, "Where the position is controlled.",
             into<&MachineFileAxis::position_control>},
     JsonKey{"type", &axis_type_shape, optional,
-            "Translatory, rotary or spindle; wins over kenngr.achs_typ of the list.", by<store_axis_type>}};
+            "Translatory, rotary or spindle; wins over kenngr.achs_typ of the list.", by<store_axis_type>},
+    JsonKey{"drive_delay_us", &drive_delay_shape, optional,
+            "What the drive itself delays, in microseconds, for the delay budget.", by<store_drive_delay>}};
 constexpr JsonShape axis_shape{.kind = Kind::object, .title = "Axis", .keys = axis_keys};
 constexpr JsonShape axes_shape{
     .kind = Kind::list, .items = &axis_shape, .fewest = 1, .sentence = says::no_axes};

@@ -20,6 +20,7 @@ struct MachineFileAxis {
   std::optional<LocatedText> drive;  ///< SERCOS, PROFIDRIVE, CANopen, …; wins over kenngr.antr_typ
   std::optional<LocatedText> position_control;  ///< drive or cnc
   std::optional<machine::AxisType> type;
+  double drive_delay_us = 0;  ///< of the drive itself: nothing else tells
 };
 
 struct MachineFileGroup {

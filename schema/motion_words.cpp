@@ -163,6 +163,24 @@ constexpr Sentence least_corner_velocity{
     "step than its list allows. P-CHAN-00009 wins with limited jerk.",
     "Die Bahn fährt mindestens mit dieser Geschwindigkeit durch Ecken, in mm/min, auch wo eine Achse dann "
     "einen größeren Schritt macht, als ihre Liste erlaubt. Bei begrenztem Ruck hat P-CHAN-00009 Vorrang."};
+constexpr Sentence feed_forward{
+    "Switches feedforward on for the axes of the channel; programs begin without. Their positions then "
+    "arrive 5 cycles later, but with P-AXIS-00566. Where axes differ in that, `simulate` lets it act at "
+    "rest, "
+    "a reading.",
+    "Schaltet die Vorsteuerung der Achsen des Kanals ein; Programme beginnen ohne. Ihre Positionen kommen "
+    "dann 5 Zyklen später an, außer mit P-AXIS-00566. Sind Achsen darin verschieden, wirkt es in `simulate` "
+    "im Stand: eine Lesart."};
+constexpr Sentence weigh_feedforward{
+    "Weighs what is fed forward, in percent up to 100, of the axes named in the block. It changes what the "
+    "drive gets beside the position, which is planned and filtered as before.",
+    "Gewichtet, was vorgesteuert wird, in Prozent bis 100, für die Achsen, die der Satz nennt. Es ändert, "
+    "was "
+    "der Antrieb neben der Position bekommt; geplant und gefiltert wird diese wie zuvor."};
+constexpr Sentence feed_no_more{
+    "Switches feedforward off again, but where P-AXIS-00255 keeps it on. This is the initial state.",
+    "Schaltet die Vorsteuerung wieder aus, außer wo P-AXIS-00255 sie immer einschaltet. Das ist der "
+    "Grundzustand."};
 constexpr Sentence dynamic_weight{
     "Weighs velocities and accelerations by the load of the machine.",
     "Gewichtet Geschwindigkeiten und Beschleunigungen nach der Last der Maschine."};
@@ -210,15 +228,20 @@ constexpr MotionWord accept(std::string_view word, std::string_view form, Motion
       .word = word, .form = form, .use = accepted, .effect = effect, .meaning = meaning, .source = source};
 }
 
-constexpr MotionWord hold(std::string_view word, std::string_view form, Weighting weighting,
-                          std::string_view source) {
+constexpr MotionWord accepted_weight(std::string_view word, std::string_view form, Weighting weighting,
+                                     SentenceRef meaning, std::string_view source) {
   return {.word = word,
           .form = form,
           .use = accepted,
           .effect = weigh,
           .weighting = weighting,
-          .meaning = says::feed_hold,
+          .meaning = meaning,
           .source = source};
+}
+
+constexpr MotionWord hold(std::string_view word, std::string_view form, Weighting weighting,
+                          std::string_view source) {
+  return accepted_weight(word, form, weighting, says::feed_hold, source);
 }
 
 constexpr MotionWord refuse(std::string_view word, std::string_view form, WordReach reach,
@@ -239,6 +262,7 @@ constexpr std::string_view page_of_braking = "prog/206238219";
 constexpr std::string_view page_of_accelerations = "prog/206590731";
 constexpr std::string_view page_of_ramps = "prog/206596619";
 constexpr std::string_view page_of_velocities = "prog/206573067";
+constexpr std::string_view page_of_feedforward = "old/15556769419";
 constexpr std::string_view page_of_look_ahead = "prog/206736907";
 constexpr std::string_view page_of_rounding = "prog/475164939";
 
@@ -289,14 +313,18 @@ constexpr std::array table{
            page_of_velocities),
     weight("G129", "G129=percent", {.of = Of::velocity, .in = In::rapid}, says::weigh_rapid_velocities,
            "prog/206578955"),
-    hold("G333", "G333 X50 Y80", {.of = Of::acceleration, .in = In::feed_hold, .by_axis = true},
+    hold("G333", "G333 X50 Y80", {.of = Of::acceleration, .in = In::no_plan, .by_axis = true},
          page_of_accelerations),
-    hold("G334", "G334=percent", {.of = Of::acceleration, .in = In::feed_hold}, page_of_accelerations),
-    hold("G338", "G338 X50 Y80", {.of = Of::ramp_times, .in = In::feed_hold, .by_axis = true}, page_of_ramps),
-    hold("G339", "G339=percent", {.of = Of::ramp_times, .in = In::feed_hold}, page_of_ramps),
+    hold("G334", "G334=percent", {.of = Of::acceleration, .in = In::no_plan}, page_of_accelerations),
+    hold("G338", "G338 X50 Y80", {.of = Of::ramp_times, .in = In::no_plan, .by_axis = true}, page_of_ramps),
+    hold("G339", "G339=percent", {.of = Of::ramp_times, .in = In::no_plan}, page_of_ramps),
     row("G115", "G115=sum", modal, limit_by, says::look_ahead, page_of_look_ahead),
     refuse("G116", "G116 X1", modal, says::look_ahead_of_axes, says::refused_look_ahead, page_of_look_ahead),
     row("G117", "G117", modal, limit_by_all, says::whole_look_ahead, page_of_look_ahead),
+    row("G135", "G135", modal, feed_forward, says::feed_forward, page_of_feedforward),
+    accepted_weight("G136", "G136 X50 Y80", {.of = Of::feedforward, .in = In::no_plan, .by_axis = true},
+                    says::weigh_feedforward, page_of_feedforward),
+    row("G137", "G137", modal, feed_no_more, says::feed_no_more, page_of_feedforward),
     row("#VECTOR LIMIT", "#VECTOR LIMIT ON [VEL=v ACC=a DEC=a RADIAL_ACC=a], #VECTOR LIMIT OFF", modal,
         MotionEffect::vector_limit, says::vector_limit, "prog/207477899"),
     row("#TRANSVELMIN", "#TRANSVELMIN ON [v], #TRANSVELMIN OFF", modal, MotionEffect::least_corner_velocity,

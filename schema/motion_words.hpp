@@ -39,12 +39,14 @@ enum class MotionEffect : std::uint8_t {
   slope_number,
   vector_limit,
   least_corner_velocity,
+  feed_forward,
+  feed_no_more,
 };
 
 /// What a weight changes, in percent of the values of the lists.
 struct Weighting {
-  enum class Of : std::uint8_t { velocity, acceleration, ramp_times, curve_ramp_time };
-  enum class In : std::uint8_t { feed, rapid, all, feed_hold };
+  enum class Of : std::uint8_t { velocity, acceleration, ramp_times, curve_ramp_time, feedforward };
+  enum class In : std::uint8_t { feed, rapid, all, no_plan };
   Of of{};
   In in{};
   bool by_axis = false;  ///< of the axes whose words follow, not of all axes with the value behind `=`

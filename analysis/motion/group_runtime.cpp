@@ -23,6 +23,13 @@ std::variant<GroupRuntime, axisrt_status> GroupRuntime::create(std::span<std::by
   return group;
 }
 
+void GroupRuntime::delay(std::vector<machine::PositionDelay> const& at_start,
+                         std::vector<machine::PositionDelay> const& fed_forward) {
+  at_start_ = unequal_delays(at_start);
+  fed_forward_ = unequal_delays(fed_forward);
+  feed_forward(false);
+}
+
 axisrt_status GroupRuntime::reset(Point const& position) {
   axisrt_status worst = host_.reset_all(0);
   delays_.reset(position);

@@ -29,8 +29,14 @@ class GroupRuntime {
 
   [[nodiscard]] std::size_t axis_count() const { return axes_.size(); }
 
-  /// From now on the positions are delayed after the filters, too; one for each axis.
-  void delay(std::vector<machine::PositionDelay> const& delays) { delays_ = PositionDelays(delays); }
+  /// The positions are delayed after the filters, too: one for each axis, at the start of programs and after
+  /// G135. In force from now on are those of the start.
+  void delay(std::vector<machine::PositionDelay> const& at_start,
+             std::vector<machine::PositionDelay> const& fed_forward);
+  /// G135 and G137 change which axis arrives when.
+  [[nodiscard]] bool feedforward_matters() const { return at_start_ != fed_forward_; }
+  /// G135 or G137. Needs a reset().
+  void feed_forward(bool is_on) { delays_ = PositionDelays(is_on ? fed_forward_ : at_start_); }
 
   /// Every axis rests at `position`.
   [[nodiscard]] axisrt_status reset(Point const& position);
@@ -44,9 +50,10 @@ class GroupRuntime {
       : host_(std::move(host)), axes_(std::move(axes)) {}
 
   image::RuntimeHost host_;
-  std::vector<std::size_t> axes_;            ///< of the image
-  std::vector<std::uint32_t> image_groups_;  ///< that hold an axis of ours
-  std::vector<double> in_, out_;             ///< all axes of the image
+  std::vector<std::size_t> axes_;                               ///< of the image
+  std::vector<std::uint32_t> image_groups_;                     ///< that hold an axis of ours
+  std::vector<double> in_, out_;                                ///< all axes of the image
+  std::vector<machine::PositionDelay> at_start_, fed_forward_;  ///< as unequal_delays() leaves them
   PositionDelays delays_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace axisc::motion {
 
-/// A #FILTER command.
+/// A #FILTER or #VIB GUARD command.
 struct FilterChange {
   machine::FilterCommand command;
   std::optional<double> tolerance;  ///< AX_DEV in position units
@@ -23,6 +23,8 @@ class PathListener {
   virtual ~PathListener() = default;
   virtual void motion(ProgrammedBlock const& block) = 0;
   virtual void command(FilterChange const& change) = 0;
+  /// G135 or G137, on `line` of the program.
+  virtual void feedforward(bool /*is_on*/, std::uint32_t /*line*/) {}
   /// The path stops here, on `line` of the program; it continues when the filters have settled, and after
   /// this many cycles at the earliest.
   virtual void stop(double /*cycles*/, std::uint32_t /*line*/) {}

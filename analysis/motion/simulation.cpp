@@ -73,13 +73,30 @@ void Simulation::open_pass() {
                     acceleration_factor_);
 }
 
-void Simulation::command(FilterChange const& change) {
-  if (failure_) return;
+/// Ends the pass. False if the simulation has failed.
+bool Simulation::come_to_rest() {
+  if (failure_) return false;
   finish_pass();
-  if (failure_) return;
+  if (failure_) return false;
   // The filters have settled: their states are those of a reset to this position.
   static_cast<void>(runtime_.reset(last_.nominal));
   static_cast<void>(probe_.reset({}));
+  return true;
+}
+
+void Simulation::feedforward(bool is_on, std::uint32_t line) {
+  bool const changes = is_on != feeds_forward_ && runtime_.feedforward_matters();
+  if (!changes || !come_to_rest()) return;
+  feeds_forward_ = is_on;
+  for (GroupRuntime* const runtime : {&runtime_, &probe_}) runtime->feed_forward(is_on);
+  static_cast<void>(runtime_.reset(last_.nominal));
+  static_cast<void>(probe_.reset({}));
+  learn_answers();
+  begin_pass(is_on ? "G135" : "G137", line);
+}
+
+void Simulation::command(FilterChange const& change) {
+  if (!come_to_rest()) return;
   auto const status = std::max(runtime_.command(change.command), probe_.command(change.command));
   if (status != AXISRT_OK) {
     failure_ =

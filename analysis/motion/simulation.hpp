@@ -94,6 +94,8 @@ class Simulation final : public PathListener, private SampleSink, private Measur
 
   void motion(ProgrammedBlock const& block) override;
   void command(FilterChange const& change) override;
+  /// Where the axes are fed forward unequally, it acts while they are at rest, as a #FILTER command does.
+  void feedforward(bool is_on, std::uint32_t line) override;
   /// The path stops; it continues when the filters have settled and the dwell is over.
   void stop(double cycles, std::uint32_t line) override;
   /// The end of the program; nothing may follow.
@@ -118,6 +120,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   void finish_pass();
   void rest(double cycles, std::uint32_t line);
   void fail_for_length(std::uint32_t line);
+  [[nodiscard]] bool come_to_rest();
   [[nodiscard]] bool compares_slopes() const;
   void learn_answers();
   void step(ContourPoint const& point);
@@ -140,6 +143,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   Point filtered_{};             ///< what the filters made of it
   std::uint32_t last_line_ = 0;  ///< of the block that moved last
   bool settled_ = true;          ///< the filters have come to rest there
+  bool feeds_forward_ = false;   ///< G135
   double tolerance_ = 0;
   double acceleration_factor_ = 1;
   PassSummary pass_;

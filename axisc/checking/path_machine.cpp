@@ -102,9 +102,13 @@ motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup
   if (auto const* const status = std::get_if<axisrt_status>(&runtime)) throw unusable_image(path, *status);
   auto made = std::get<motion::GroupRuntime>(std::move(runtime));
   if (machine != nullptr) {
-    std::vector<machine::PositionDelay> delays;
-    for (auto const axis : group.axes) delays.push_back(machine->axes[axis].position_delay);
-    made.delay(delays);
+    std::vector<machine::PositionDelay> at_start;
+    std::vector<machine::PositionDelay> fed_forward;
+    for (auto const axis : group.axes) {
+      at_start.push_back(machine->axes[axis].position_delay);
+      fed_forward.push_back(machine->axes[axis].feedforward_delay);
+    }
+    made.delay(at_start, fed_forward);
   }
   return made;
 }

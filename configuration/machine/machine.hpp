@@ -2,6 +2,7 @@
 // optional where a feature is off. A Machine exists only when no error was found.
 #pragma once
 
+#include "configuration/machine/drive_path.hpp"
 #include "configuration/machine/filter_command.hpp"
 #include "configuration/machine/path_dynamics.hpp"
 #include "design/filter_specification.hpp"
@@ -77,11 +78,10 @@ struct DriveScaling {
   double multi_gain_n = 1;      ///< P-AXIS-00128
 };
 
-/// What delays the position of an axis after its filters, at the start of programs. Where each acts is a
-/// reading.
+/// What delays the position of an axis after its filters. Where each acts is a reading.
 struct PositionDelay {
-  double cycles = 0;  ///< between interpolator and position controller: whole cycles
-  double lag = 0;     ///< P-AXIS-00361 in cycles: the time constant of a PT1
+  double cycles = 0;  ///< between interpolator and position controller, and in the drive: whole cycles
+  double lag = 0;     ///< time constant of a PT1, in cycles: P-AXIS-00361, and what is left of the drive's
 
   friend bool operator==(PositionDelay const&, PositionDelay const&) = default;
 };
@@ -110,12 +110,14 @@ struct AxisConfiguration {
   DriveScaling drive_scaling;
   /// Index into Machine::axes of the gantry's master, for a slave: its additive velocity is the master's.
   std::optional<std::size_t> gantry_master;
-  PositionDelay position_delay = {};
-  double position_window = 0.4;   ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
-  double velocity_limit = 0;      ///< P-AXIS-00212, µm/s or 1e-3 °/s
-  double acceleration_limit = 0;  ///< P-AXIS-00008, mm/s² or °/s²
-  double transition_weight = 0;   ///< P-AXIS-00013, in 0.1 %
-  AxisDynamics dynamics = {};     ///< gear 0
+  PositionDelay position_delay = {};     ///< at the start of programs
+  PositionDelay feedforward_delay = {};  ///< the same after G135
+  DrivePath drive_path = {};             ///< at the start of programs
+  double position_window = 0.4;          ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
+  double velocity_limit = 0;             ///< P-AXIS-00212, µm/s or 1e-3 °/s
+  double acceleration_limit = 0;         ///< P-AXIS-00008, mm/s² or °/s²
+  double transition_weight = 0;          ///< P-AXIS-00013, in 0.1 %
+  AxisDynamics dynamics = {};            ///< gear 0
   std::vector<UncomputedParameter> uncomputed = {};
   std::vector<SourcedValue> values;  ///< everything its lists set, in the order of the lines
 };

@@ -18,6 +18,8 @@ AxisConfiguration without_values(AxisConfiguration const& axis) {
           .drive_scaling = axis.drive_scaling,
           .gantry_master = axis.gantry_master,
           .position_delay = axis.position_delay,
+          .feedforward_delay = axis.feedforward_delay,
+          .drive_path = axis.drive_path,
           .position_window = axis.position_window,
           .velocity_limit = axis.velocity_limit,
           .acceleration_limit = axis.acceleration_limit,

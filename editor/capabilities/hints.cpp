@@ -3,6 +3,7 @@
 #include "design/filter_kinds.hpp"
 #include "design/kernels/vibration_guard.hpp"
 #include "diagnostics/format_number.hpp"
+#include "editor/meaning/delay_notes.hpp"
 #include "editor/meaning/dynamics_notes.hpp"
 #include "editor/reading/open_machines.hpp"
 #include "editor/reading/places.hpp"
@@ -90,7 +91,8 @@ Json hints(OpenMachines& machines, Json const& params) {
     auto const found_name = list.find(list.slice(line.name));
     bool const is_guard =
         found_name.row != nullptr && found_name.row->name == "vib_guard.freq" && list.axis() != nullptr;
-    auto const note = is_guard ? half_period_of(list, machines.language()) : notes.of(line, found_name);
+    auto note = is_guard ? half_period_of(list, machines.language()) : notes.of(line, found_name);
+    if (note.empty()) note = delay_in_cycles(list, found_name, line, machines.language());
     add(line.value.end, with_note(quantity(list, found_name, line, machines.language()), note));
   }
   if (list.axis() == nullptr) return found;

@@ -2,6 +2,7 @@
 
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "diagnostics/location.hpp"
+#include "editor/meaning/delay_notes.hpp"
 #include "editor/meaning/dynamics_notes.hpp"
 #include "editor/meaning/filter_figures.hpp"
 #include "editor/meaning/parameter_number.hpp"
@@ -132,6 +133,7 @@ Json hover(OpenMachines& machines, Json const& params) {
     if (found.status == schema::NameLookup::Status::found) {
       text += effective_text(list, found.slot, line->line, language);
       text += DynamicsNotes(list, language).sentence_of(*line, found);
+      text += delay_sentences(list, found, language);
       text += filter_figures(list, name, markdown, language);
     }
     return answer(std::move(text), line->name.begin, line->name.end);

@@ -1,6 +1,7 @@
 #include "editor/capabilities/lenses.hpp"
 
 #include "editor/capabilities/pages.hpp"
+#include "editor/meaning/delay_notes.hpp"
 #include "editor/reading/open_machines.hpp"
 #include "schema/indexed_name.hpp"
 
@@ -16,6 +17,19 @@ namespace {
 bool is_of_cascade(std::string_view name) {
   auto const family = schema::take_part(name);
   return family.starts_with("filter[") || family == "filter_fir";
+}
+
+bool is_of_feedforward(std::string_view name) {
+  return schema::take_part(name) == "vorsteuer";
+}
+
+/// The first line whose name is of a family; null if there is none.
+grammar::Assignment const* first_line(OpenList const& list, bool (*is_of_family)(std::string_view)) {
+  auto const& lines = list.tree().assignments;
+  auto const found = std::find_if(lines.begin(), lines.end(), [&](grammar::Assignment const& line) {
+    return is_of_family(list.slice(line.name));
+  });
+  return found == lines.end() ? nullptr : &*found;
 }
 
 PageSubject subject_of(OpenMachines& machines, OpenDocument const& document, Buffers& files) {
@@ -35,13 +49,20 @@ Json lenses(OpenMachines& machines, Json const& params) {
   auto found = Json::array();
   if (!is_list(asked.path)) return found;
   auto const& list = machines.list_of(asked);
-  auto const& lines = list.tree().assignments;
-  auto const first = std::find_if(lines.begin(), lines.end(), [&list](grammar::Assignment const& line) {
-    return is_of_cascade(list.slice(line.name));
-  });
-  if (first == lines.end()) return found;
-  found.push_back(
-      {{"range", machines.range(asked, first->name.begin, first->name.end)}, {"data", asked.uri}});
+  auto const range_of = [&](grammar::Assignment const& line) {
+    return machines.range(asked, line.name.begin, line.name.end);
+  };
+  if (auto const* const line = first_line(list, is_of_cascade)) {
+    found.push_back({{"range", range_of(*line)}, {"data", asked.uri}});
+  }
+  if (auto const* const line = first_line(list, is_of_feedforward)) {
+    auto title = lead_line(list, machines.language());
+    if (title.empty()) return found;
+    found.push_back(
+        {{"range", range_of(*line)},
+         {"command",
+          {{"title", std::move(title)}, {"command", "axisc.plot"}, {"arguments", {asked.uri, "delay"}}}}});
+  }
   return found;
 }
 

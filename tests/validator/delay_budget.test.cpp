@@ -13,7 +13,7 @@ namespace {
 
 using namespace axisc;
 using validator::DelayBudget;
-using validator::FeedforwardState;
+using validator::DelayState;
 
 constexpr design::CycleTime one_millisecond{1'000'000};
 std::string const pt1 =
@@ -34,7 +34,7 @@ struct Loaded {
   [[nodiscard]] validator::LoadedAxis const& axis() const { return machine.axes.front(); }
 };
 
-DelayBudget budget(std::string const& lines, FeedforwardState state = FeedforwardState::at_start) {
+DelayBudget budget(std::string const& lines, DelayState state = DelayState::at_start) {
   Loaded const loaded(lines);
   auto const found = validator::delay_budget(loaded.axis(), one_millisecond, state);
   REQUIRE(found);
@@ -86,9 +86,9 @@ TEST_CASE("a time delay of the position alone is a lead, which a delay of the ve
 TEST_CASE("feedforward that G135 switches on, and that nothing can switch on") {
   std::string const off_at_start = pt1 + sercos + "vorsteuer.vorsteuerung VEL\n";
   CHECK_FALSE(budget(off_at_start).feeds_forward);
-  CHECK(budget(off_at_start, FeedforwardState::on).position == Approx(pt1_cycles + 5));
+  CHECK(budget(off_at_start, DelayState::fed_forward).position == Approx(pt1_cycles + 5));
   std::string const disabled = off_at_start + "vorsteuer.global_disable 1\n";
-  CHECK_FALSE(budget(disabled, FeedforwardState::on).feeds_forward);
+  CHECK_FALSE(budget(disabled, DelayState::fed_forward).feeds_forward);
 }
 
 TEST_CASE("the lag of a position controller in the NC: (1 - w)/Kv") {
@@ -110,6 +110,17 @@ TEST_CASE("the balancing filter delays the position of a PROFIdrive axis alone")
   std::string const filter = "vorsteuer.timeconst_sym_filter 2000\n";
   CHECK(budget(added_velocity + profidrive + filter).lead() == Approx(5));
   CHECK(budget(added_velocity + sercos + filter).lead() == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("a FIR filter that is off at the start delays after #FILTER ON") {
+  std::string const off = "filter_fir.type 1\nfilter_fir.order 40\n";
+  auto const start = budget(off);
+  CHECK(start.position == 0);
+  CHECK(start.has_filter_off);
+  auto const on = budget(off, DelayState::filters_on);
+  CHECK(on.position == Approx(20));  // half of the order
+  CHECK_FALSE(on.has_filter_off);
+  CHECK(budget(off + "filter_fir.enable 1\n").position == Approx(20));
 }
 
 }  // namespace

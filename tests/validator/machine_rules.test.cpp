@@ -175,6 +175,18 @@ TEST_CASE("AX4021: master and slave of a gantry have the same filters") {
   CHECK(pair(fir(1, 40), off).found() == Lines{"x2.lis:4:18 AX4021"});
   // In one channel it is one mistake.
   CHECK(found({{"x", fir(1, 40), ""}, {"x2", "", ""}}, gantry) == Lines{"x.lis:4:18 AX4021"});
+  // Without filters: five cycles between interpolator and position controller where feedforward is used.
+  std::string const forward = "vorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\n";
+  CHECK(pair(forward, forward).found().empty());
+  Checked const fed = pair("", forward);
+  REQUIRE(fed.found() == Lines{"x2.lis:4:26 AX4021"});
+  CHECK(render(fed.result.findings.front().message, Language::english) ==
+        "gantry \"x\"/\"x2\": the positions of master and slave are 5 cycles (5 ms) apart");
+  // Both: the filter delays by 20 cycles, 5 of which feedforward makes up for.
+  Checked const both = pair(fir(1, 40), forward);
+  REQUIRE(both.found() == Lines{"x.lis:5:18 AX4021"});
+  CHECK_THAT(render(both.result.findings.front().message, Language::english),
+             Catch::Matchers::Contains("the positions of master and slave are 15 cycles"));
 }
 
 TEST_CASE("AX4023: master and slave of a gantry have the same limits") {

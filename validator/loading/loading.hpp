@@ -29,6 +29,7 @@ struct LoadedAxis {
   std::optional<configuration::LocatedText> drive;  ///< from the machine file; overrides kenngr.antr_typ
   machine::PositionController position_control =
       machine::PositionController::unknown;  ///< from the machine file; overrides antr.operation_mode
+  double drive_delay_us = 0;                 ///< from the machine file; 0: not stated
   MergedValues merged;
 };
 

@@ -41,6 +41,7 @@ void Loader::load_machine_file(SourceId source) {
     LoadedAxis& axis = add_axis(*list, named.type);
     axis.name = named.name.text;
     axis.drive = named.drive;
+    axis.drive_delay_us = named.drive_delay_us;
     if (named.position_control) {
       axis.position_control = named.position_control->text == "drive" ? machine::PositionController::drive
                                                                       : machine::PositionController::cnc;

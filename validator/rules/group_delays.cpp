@@ -6,6 +6,7 @@
 #include "validator/views/gantry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -68,6 +69,19 @@ Message delay_of(DelayedAxis const& axis) {
 Message delay_after_filters_of(DelayedAxis const& axis) {
   return {says::group_axis_after_filters,
           {{"axis", axis.axis.name}, {"cycles", cycles_text(axis.after_filters)}}};
+}
+
+EffectiveValue const* line_about_feedforward(LoadedAxis const& axis) {
+  constexpr std::array<std::string_view, 5> parameters{
+      "vorsteuer.vorsteuerung", "vorsteuer.default_active", "vorsteuer.global_disable",
+      "vorsteuer.feedforward_without_delay", "vorsteuer.timeconst_sym_filter"};
+  EffectiveValue const* last = nullptr;
+  for (std::string_view const name : parameters) {
+    EffectiveValue const& value = axis.merged.values.at(name);
+    if (!value.value_place()) continue;
+    if (last == nullptr || *last->value_place() < *value.value_place()) last = &value;
+  }
+  return last;
 }
 
 Wording shares_text(AxisDelay const& delay) {

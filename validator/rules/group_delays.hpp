@@ -45,6 +45,8 @@ using Delays = std::vector<DelayedAxis>;
 [[nodiscard]] Message delay_of(DelayedAxis const& axis);
 /// States what delays the position of an axis after its filters.
 [[nodiscard]] Message delay_after_filters_of(DelayedAxis const& axis);
+/// The last line of the axis that says something about feedforward; null where no list does.
+[[nodiscard]] EffectiveValue const* line_about_feedforward(LoadedAxis const& axis);
 /// "`filter[1]` 3.907, `filter_fir` 20".
 [[nodiscard]] Wording shares_text(AxisDelay const& delay);
 

@@ -2,6 +2,7 @@
 
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/delay_budget.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,14 @@ bool on_at_start(AxisDelay const& delay) {
   return delay.kernel && delay.kernel->on_at_start;
 }
 
-/// The delay of the filters that work from start-up.
+/// With all filters on.
+double position_delay_of(DelayedAxis const& axis) {
+  return axis.delay.cycles + axis.after_filters;
+}
+
+/// With the filters that work from start-up.
 double delay_at_start(DelayedAxis const& axis) {
-  double cycles = axis.delay.cycles;
+  double cycles = position_delay_of(axis);
   bool const off = axis.delay.kernel && !axis.delay.kernel->on_at_start;
   if (off) cycles -= axis.delay.shares.back().cycles;
   return cycles;
@@ -34,7 +40,7 @@ double delay_at_start(DelayedAxis const& axis) {
 
 /// The largest difference that start-up or `#FILTER` may bring about.
 double difference(AxisPair pair) {
-  double const configured = std::abs(pair.master.delay.cycles - pair.slave.delay.cycles);
+  double const configured = std::abs(position_delay_of(pair.master) - position_delay_of(pair.slave));
   return std::max(configured, std::abs(delay_at_start(pair.master) - delay_at_start(pair.slave)));
 }
 
@@ -51,7 +57,7 @@ bool respond_alike(AxisPair pair) {
 
 }  // namespace
 
-bool FilterDifference::is_apart() const {
+bool PositionDifference::is_apart() const {
   return cycles >= rounding;
 }
 
@@ -59,34 +65,56 @@ std::optional<DelayedAxis> delayed_axis(MachineContext const& context, std::size
   LoadedAxis const& axis = context.machine.axes[index];
   auto delay = axis_delay(axis.merged.values, context.cycle_time);
   if (!delay) return std::nullopt;
-  return DelayedAxis{axis, *std::move(delay)};
+  return DelayedAxis{axis, *std::move(delay), delay_after_filters(axis, context.cycle_time)};
 }
 
-std::optional<FilterDifference> compare_filters(AxisPair pair) {
+std::optional<PositionDifference> compare_positions(AxisPair pair) {
   double const cycles = difference(pair);
-  if (cycles < rounding && respond_alike(pair)) return std::nullopt;
+  bool const filters_agree = respond_alike(pair);
+  bool const feedforward_differs = pair.master.after_filters != pair.slave.after_filters;
+  if (cycles < rounding && filters_agree) return std::nullopt;
+  bool const slave_is_later = position_delay_of(pair.slave) >= position_delay_of(pair.master);
+  if (filters_agree) {
+    auto const* const of_slave = line_about_feedforward(pair.slave.axis);
+    auto const* const of_master = line_about_feedforward(pair.master.axis);
+    bool const is_of_slave = of_slave != nullptr && (slave_is_later || of_master == nullptr);
+    auto const* const line = is_of_slave ? of_slave : of_master;
+    if (line == nullptr) return std::nullopt;
+    return PositionDifference{pair, cycles, is_of_slave ? pair.slave : pair.master, *line, false, true};
+  }
   DelayShare const* const of_slave = largest_difference(pair.slave.delay, pair.master.delay);
   DelayShare const* const of_master = largest_difference(pair.master.delay, pair.slave.delay);
   bool const slave_is_longer = pair.slave.delay.cycles >= pair.master.delay.cycles;
   if (of_slave != nullptr && (slave_is_longer || of_master == nullptr)) {
-    return FilterDifference{pair, cycles, pair.slave, *of_slave};
+    return PositionDifference{pair, cycles, pair.slave, *of_slave->cause, true, feedforward_differs};
   }
-  if (of_master != nullptr) return FilterDifference{pair, cycles, pair.master, *of_master};
+  if (of_master != nullptr)
+    return PositionDifference{pair, cycles, pair.master, *of_master->cause, true, feedforward_differs};
   return std::nullopt;
 }
 
-Finding& report_difference(FilterDifference const& difference, SentenceRef headline,
+Finding& report_difference(PositionDifference const& difference, SentenceRef headline,
                            MachineContext const& context, Report& report) {
-  auto const& [pair, cycles, axis, filter] = difference;
+  auto const& [pair, cycles, axis, cause, filters_differ, feedforward_differs] = difference;
+  DelayedAxis const& other = &axis == &pair.slave ? pair.master : pair.slave;
   report.axis = axis.axis.name;
-  Finding& finding = report.add(
-      *filter.cause, {headline,
-                      {{"master", pair.master.axis.name},
-                       {"slave", pair.slave.axis.name},
-                       {"cycles", cycles_text(cycles)},
-                       {"milliseconds", format_rounded(cycles * context.cycle_time.seconds() * 1e3, 4)}}});
+  Finding& finding =
+      report.add(cause, {headline,
+                         {{"master", pair.master.axis.name},
+                          {"slave", pair.slave.axis.name},
+                          {"cycles", cycles_text(cycles)},
+                          {"milliseconds", format_rounded(cycles * context.cycle_time.seconds() * 1e3, 4)}}});
+  if (!filters_differ) {
+    finding.label = delay_after_filters_of(axis);
+    finding.notes.push_back(delay_after_filters_of(other));
+    return finding;
+  }
   finding.label = delay_of(axis);
-  finding.notes.push_back(delay_of(&axis == &pair.slave ? pair.master : pair.slave));
+  finding.notes.push_back(delay_of(other));
+  if (feedforward_differs) {
+    finding.notes.push_back(delay_after_filters_of(axis));
+    finding.notes.push_back(delay_after_filters_of(other));
+  }
   if (on_at_start(pair.master.delay) != on_at_start(pair.slave.delay)) {
     DelayedAxis const& on = on_at_start(pair.master.delay) ? pair.master : pair.slave;
     finding.notes.push_back({says::on_at_start, {{"axis", on.axis.name}}});

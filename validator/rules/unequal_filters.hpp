@@ -1,5 +1,5 @@
-// Whether the filters of two axes that must move alike do the same: master and slave of a gantry, coupled
-// axes.
+// Whether the positions of two axes that must move alike arrive together, and alike: master and slave of a
+// gantry, coupled axes.
 #pragma once
 
 #include "validator/rules/group_delays.hpp"
@@ -14,11 +14,13 @@ struct AxisPair {
   DelayedAxis const& slave;
 };
 
-struct FilterDifference {
+struct PositionDifference {
   AxisPair pair;
   double cycles = 0;        ///< the largest difference of delays that start-up or `#FILTER` may bring about
-  DelayedAxis const& axis;  ///< that has the filter that makes the difference, the slave if in doubt
-  DelayShare const& filter;
+  DelayedAxis const& axis;  ///< that has what makes the difference, the slave if in doubt
+  EffectiveValue const& cause;
+  bool filters_differ = true;
+  bool feedforward_differs = false;  ///< what delays the positions after the filters
 
   /// The delays differ, not only the responses.
   [[nodiscard]] bool is_apart() const;
@@ -27,12 +29,13 @@ struct FilterDifference {
 /// None for an axis whose delay is unknown.
 [[nodiscard]] std::optional<DelayedAxis> delayed_axis(MachineContext const& context, std::size_t index);
 
-/// None where the filters do the same, whatever their order. The pair outlives the result.
-[[nodiscard]] std::optional<FilterDifference> compare_filters(AxisPair pair);
+/// None where the filters do the same, whatever their order, and nothing after them differs. The pair
+/// outlives the result.
+[[nodiscard]] std::optional<PositionDifference> compare_positions(AxisPair pair);
 
-/// A finding at the filter that makes the difference, with the delays of both axes. The headline may name
+/// A finding at what makes the difference, with the delays of both axes. The headline may name
 /// {master}, {slave}, {cycles} and {milliseconds}.
-Finding& report_difference(FilterDifference const& difference, SentenceRef headline,
+Finding& report_difference(PositionDifference const& difference, SentenceRef headline,
                            MachineContext const& context, Report& report);
 
 }  // namespace axisc::validator::checks

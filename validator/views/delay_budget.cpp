@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace axisc::validator {
@@ -40,10 +41,14 @@ constexpr std::array quantity_times{
 
 class Budget {
  public:
-  Budget(LoadedAxis const& axis, design::CycleTime cycle_time, FeedforwardState state)
-      : axis_(axis), values_(axis.merged.values), cycle_time_(cycle_time), drive_(stated_drive(axis)) {
+  Budget(LoadedAxis const& axis, design::CycleTime cycle_time, DelayState state)
+      : axis_(axis),
+        values_(axis.merged.values),
+        cycle_time_(cycle_time),
+        state_(state),
+        drive_(stated_drive(axis)) {
     bool const is_switched_on =
-        state == FeedforwardState::on || values_.at("vorsteuer.default_active").is_on();
+        state == DelayState::fed_forward || values_.at("vorsteuer.default_active").is_on();
     bool const is_possible =
         feedforward_.quantities.is_on() && !values_.at("vorsteuer.global_disable").is_on();
     result_.feeds_forward = is_possible && is_switched_on;
@@ -68,12 +73,33 @@ class Budget {
     add_after_filters();
     machine::PositionDelay delay;
     for (DelayItem const& item : result_.items) {
-      (item.kind == DelayKind::balancing ? delay.lag : delay.cycles) += item.position;
+      double const whole = item.kind == DelayKind::balancing ? 0 : std::floor(item.position);
+      delay.cycles += whole;
+      delay.lag += item.position - whole;
     }
     return delay;
   }
 
+  machine::DrivePath drive_path() {
+    add_after_filters();
+    add_lag();
+    machine::DrivePath path{.feeds_velocity = result_.feeds_velocity,
+                            .delays_position_alone = delays_position_alone()};
+    for (DelayItem const& item : result_.items) {
+      if (item.position == 0 && item.velocity == 0) continue;
+      path.delays.push_back(
+          {.kind = item.kind,
+           .parameter = item.cause != nullptr ? std::string(parameter_number(*item.cause)) : std::string(),
+           .position = item.position,
+           .velocity = item.velocity});
+    }
+    return path;
+  }
+
  private:
+  [[nodiscard]] bool delays_position_alone() const {
+    return values_.at("kenngr.delay_filter_only_position").is_on();
+  }
   [[nodiscard]] bool is_profidrive() const {
     return drive_ != nullptr && drive_->number == machine::profidrive;
   }
@@ -99,9 +125,13 @@ class Budget {
   /// Feedforward is computed from the filtered setpoint; with P-AXIS-00513 the time delay at the end of the
   /// filters acts on the position alone. That FIR and HSC filters lie before the tap as well is a reading.
   void add_filters(AxisDelay const& filters) {
-    bool const delays_position_alone = values_.at("kenngr.delay_filter_only_position").is_on();
+    bool const is_position_alone_at_end = delays_position_alone();
+    bool const has_filter_off = filters.kernel && !filters.kernel->on_at_start;
+    result_.has_filter_off = has_filter_off && state_ != DelayState::filters_on;
     for (std::size_t i = 0; i < filters.shares.size(); ++i) {
       auto const& share = filters.shares[i];
+      bool const is_kernel = filters.kernel && i + 1 == filters.shares.size();
+      if (is_kernel && result_.has_filter_off) continue;
       bool const is_standard = i < filters.filters.size();
       bool const is_last = i + 1 == filters.filters.size();
       DelayItem item{.kind = DelayKind::filter,
@@ -109,7 +139,7 @@ class Budget {
                      .cause = share.cause,
                      .is_reading = !is_standard};
       bool const is_position_alone =
-          delays_position_alone && is_last && filters.filters[i].type == design::FilterType::time_delay;
+          is_position_alone_at_end && is_last && filters.filters[i].type == design::FilterType::time_delay;
       if (is_position_alone) {
         item.position = share.cycles;
         item.is_reading = true;
@@ -122,6 +152,9 @@ class Budget {
 
   void add_after_filters() {
     if (result_.feeds_forward) add_feedforward();
+    // That it delays all that a drive gets is a reading.
+    add(everywhere({.kind = DelayKind::drive, .is_reading = true},
+                   cycle_time_.cycles({axis_.drive_delay_us})));
     if (!is_profidrive()) return;
     EffectiveValue const& balancing = values_.at("vorsteuer.timeconst_sym_filter");
     add({.kind = DelayKind::balancing,
@@ -170,6 +203,7 @@ class Budget {
   LoadedAxis const& axis_;
   EffectiveValues const& values_;
   design::CycleTime cycle_time_;
+  DelayState state_;
   machine::DriveType const* drive_;
   FeedforwardView feedforward_{axis_.merged.values};
   DelayBudget result_;
@@ -178,16 +212,21 @@ class Budget {
 }  // namespace
 
 std::optional<DelayBudget> delay_budget(LoadedAxis const& axis, design::CycleTime cycle_time,
-                                        FeedforwardState state) {
+                                        DelayState state) {
   return Budget(axis, cycle_time, state).take();
 }
 
 double delay_after_filters(LoadedAxis const& axis, design::CycleTime cycle_time) {
-  return Budget(axis, cycle_time, FeedforwardState::at_start).after_filters();
+  return Budget(axis, cycle_time, DelayState::at_start).after_filters();
 }
 
-machine::PositionDelay position_delay(LoadedAxis const& axis, design::CycleTime cycle_time) {
-  return Budget(axis, cycle_time, FeedforwardState::at_start).position_delay();
+machine::PositionDelay position_delay(LoadedAxis const& axis, design::CycleTime cycle_time,
+                                      DelayState state) {
+  return Budget(axis, cycle_time, state).position_delay();
+}
+
+machine::DrivePath drive_path(LoadedAxis const& axis, design::CycleTime cycle_time) {
+  return Budget(axis, cycle_time, DelayState::at_start).drive_path();
 }
 
 double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time) {

@@ -2,6 +2,7 @@
 // drive on their own path, and what does not arrive together becomes a deviation.
 #pragma once
 
+#include "configuration/machine/drive_path.hpp"
 #include "validator/loading/loading.hpp"
 
 #include <cstdint>
@@ -11,26 +12,20 @@
 
 namespace axisc::validator {
 
-/// Whether the program has switched feedforward on.
-enum class FeedforwardState : std::uint8_t {
-  at_start,  ///< as P-AXIS-00255 says
-  on,        ///< after G135
+/// What the program has switched.
+enum class DelayState : std::uint8_t {
+  at_start,     ///< nothing: feedforward as P-AXIS-00255 says, filters as `filter_fir.enable` says
+  fed_forward,  ///< G135
+  filters_on,   ///< `#FILTER ON` or `#VIB GUARD ON`
 };
 
-enum class DelayKind : std::uint8_t {
-  filter,        ///< filter[i], filter_fir, HSC
-  interpolator,  ///< the cycles between interpolator and position controller while feedforward is used
-  shift,         ///< P-AXIS-00165: feedforward goes out earlier
-  quantity,      ///< P-AXIS-00389, 00390, 00547: of one quantity
-  balancing,     ///< P-AXIS-00361: of the position
-  lag,           ///< of the position controller without full velocity feedforward
-};
+using machine::DelayKind;
 
 /// In NC cycles; 0 on the paths that it does not delay.
 struct DelayItem {
   DelayKind kind{};
   std::string filter = {};                ///< of DelayKind::filter: `filter[0]`
-  EffectiveValue const* cause = nullptr;  ///< its parameter, valid while the EffectiveValues live
+  EffectiveValue const* cause = nullptr;  ///< its parameter, valid while the EffectiveValues live; null: none
   double position = 0;
   double velocity = 0;
   double acceleration = 0;
@@ -44,6 +39,7 @@ struct DelayBudget {
   bool feeds_velocity = false;   ///< otherwise there is no lead
   double position = 0;           ///< with the lag
   double lag = 0;                ///< of the position controller
+  bool has_filter_off = false;   ///< DelayState::filters_on delays more
   double velocity = 0;
   double acceleration = 0;
   double jerk = 0;
@@ -56,13 +52,17 @@ struct DelayBudget {
 /// None if a filter cannot be designed: its delay is then unknown. Where the drive type is not stated, what
 /// needs one counts as absent. Cost: one design per active filter.
 [[nodiscard]] std::optional<DelayBudget> delay_budget(LoadedAxis const& axis, design::CycleTime cycle_time,
-                                                      FeedforwardState state = FeedforwardState::at_start);
+                                                      DelayState state = DelayState::at_start);
 
 /// At the start of programs: what delays the position after the filters on its way to the drive, in cycles.
 [[nodiscard]] double delay_after_filters(LoadedAxis const& axis, design::CycleTime cycle_time);
 
 /// The same by where it acts.
-[[nodiscard]] machine::PositionDelay position_delay(LoadedAxis const& axis, design::CycleTime cycle_time);
+[[nodiscard]] machine::PositionDelay position_delay(LoadedAxis const& axis, design::CycleTime cycle_time,
+                                                    DelayState state);
+
+/// What delays position and velocity after the filters, at the start of programs.
+[[nodiscard]] machine::DrivePath drive_path(LoadedAxis const& axis, design::CycleTime cycle_time);
 
 /// The largest deviation of a straight line or a circle between two axes, in µm: F ΔP/2 at 45°. `feed` in
 /// µm/s, `mismatch` in cycles.

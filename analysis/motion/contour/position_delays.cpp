@@ -7,18 +7,27 @@
 
 namespace axisc::motion {
 
-PositionDelays::PositionDelays(std::vector<machine::PositionDelay> const& delays) {
-  if (std::adjacent_find(delays.begin(), delays.end(), std::not_equal_to<>()) == delays.end()) return;
+std::vector<machine::PositionDelay> unequal_delays(std::vector<machine::PositionDelay> const& delays) {
+  if (std::adjacent_find(delays.begin(), delays.end(), std::not_equal_to<>()) == delays.end()) return {};
   double least = delays.front().cycles;
   bool has_one_lag = true;
   for (auto const& delay : delays) {
     least = std::min(least, delay.cycles);
     has_one_lag = has_one_lag && delay.lag == delays.front().lag;
   }
-  for (auto const& delay : delays) {
+  auto unequal = delays;
+  for (auto& delay : unequal) {
+    delay.cycles -= least;
+    if (has_one_lag) delay.lag = 0;
+  }
+  return unequal;
+}
+
+PositionDelays::PositionDelays(std::vector<machine::PositionDelay> const& unequal) {
+  for (auto const& delay : unequal) {
     Axis axis;
-    axis.waiting.assign(static_cast<std::size_t>(std::lround(delay.cycles - least)), 0);
-    if (!has_one_lag) axis.share = 1 / (1 + delay.lag);
+    axis.waiting.assign(static_cast<std::size_t>(std::lround(delay.cycles)), 0);
+    axis.share = 1 / (1 + delay.lag);
     axes_.push_back(std::move(axis));
   }
 }

@@ -10,12 +10,16 @@
 
 namespace axisc::motion {
 
+/// Without what all axes have in common; none where they differ in nothing.
+[[nodiscard]] std::vector<machine::PositionDelay> unequal_delays(
+    std::vector<machine::PositionDelay> const& delays);
+
 class PositionDelays {
  public:
   /// Nothing is delayed.
   PositionDelays() = default;
-  /// One for each axis of the path.
-  explicit PositionDelays(std::vector<machine::PositionDelay> const& delays);
+  /// One for each axis of the path, as unequal_delays() leaves them.
+  explicit PositionDelays(std::vector<machine::PositionDelay> const& unequal);
 
   /// Every axis rests at `position`.
   void reset(Point const& position);

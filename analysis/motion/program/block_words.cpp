@@ -205,6 +205,10 @@ std::size_t BlockWords::take_motion_word(MotionWord const& word, std::size_t at)
       }
       return take_value_of(word, at);
     case MotionEffect::limit_by_all: set_look_ahead(all_functions); break;
+    case MotionEffect::feed_forward:
+    case MotionEffect::feed_no_more:
+      state_.listener.feedforward(word.effect == MotionEffect::feed_forward, token.line);
+      break;
     case MotionEffect::nothing:
     case MotionEffect::set_rounding:
     case MotionEffect::slope:
@@ -240,7 +244,7 @@ void BlockWords::weigh(Token const& token, Weighting const& weighting, std::size
   if (state_.problems.refused()) return;
   bool const may_be_zero = weighting.of != Weighting::Of::acceleration;
   if (!(percent > 0 || (may_be_zero && percent == 0))) return refuse(token, says::cannot_simulate_weight);
-  if (weighting.in == Weighting::In::feed_hold) return;
+  if (weighting.in == Weighting::In::no_plan) return;
   change_dynamics(state_.modal, state_.channel.dynamics, [&](BlockDynamics& dynamics) {
     weigh_axis(dynamics, state_.modal, weighting, axis, percent);
   });

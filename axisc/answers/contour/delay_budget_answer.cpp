@@ -1,5 +1,6 @@
 #include "axisc/answers/contour/delay_budget_answer.hpp"
 
+#include "axisc/answers/contour/delay_words.hpp"
 #include "axisc/answers/labels.hpp"
 #include "axisc/checking/compilable.hpp"
 #include "axisc/checking/machine_input.hpp"
@@ -9,7 +10,8 @@
 #include "validator/views/filter_view.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,11 @@ constexpr Sentence at_start{"{axis}, at the start of programs", "{axis}, am Prog
 constexpr Sentence after_g135{"{axis}, after G135", "{axis}, nach G135"};
 constexpr Sentence start_word{"at the start", "am Anfang"};
 constexpr Sentence g135_word{"after G135", "nach G135"};
+constexpr Sentence filters_on{"{axis}, after #FILTER ON or #VIB GUARD ON",
+                              "{axis}, nach #FILTER ON oder #VIB GUARD ON"};
+constexpr Sentence filters_word{"with all filters", "mit allen Filtern"};
+constexpr Sentence in_drive{"in the drive", "im Antrieb"};
+constexpr Sentence machine_file{"machine file", "Maschinendatei"};
 constexpr Sentence item{"delay", "Verzögerung"};
 constexpr Sentence position{"position", "Position"};
 constexpr Sentence velocity{"velocity", "Geschwindigkeit"};
@@ -35,30 +42,12 @@ constexpr Sentence lag{"lag of the position controller", "Nachlauf des Lageregle
 constexpr Sentence nothing{"{axis}: nothing delays the position", "{axis}: nichts verzögert die Position"};
 constexpr Sentence unknown{"{axis}: unknown, because a filter cannot be designed",
                            "{axis}: unbekannt, weil ein Filter nicht berechnet werden kann"};
-constexpr Sentence early{
-    "position {position}, velocity feedforward {velocity}: the velocity arrives {lead} before its position",
-    "Position {position}, Geschwindigkeitsvorsteuerung {velocity}: Die Geschwindigkeit kommt {lead} früher "
-    "an als ihre Position"};
-constexpr Sentence late{
-    "position {position}, velocity feedforward {velocity}: the velocity arrives {lead} after its position",
-    "Position {position}, Geschwindigkeitsvorsteuerung {velocity}: Die Geschwindigkeit kommt {lead} später "
-    "an als ihre Position"};
-constexpr Sentence together{
-    "position {position}, velocity feedforward {velocity}: both arrive together",
-    "Position {position}, Geschwindigkeitsvorsteuerung {velocity}: Beide kommen gleichzeitig an"};
-constexpr Sentence of_it_lag{"of the position {lag} are the lag, which arises in the controller",
-                             "von der Position sind {lag} Nachlauf, der erst im Regler entsteht"};
-constexpr Sentence sum_alone{"position {position}; the velocity is not fed forward",
-                             "Position {position}; die Geschwindigkeit wird nicht vorgesteuert"};
-constexpr Sentence ahead{"accelerating at the limit, the axis is {deviation} ahead",
-                         "beim Beschleunigen an der Grenze eilt die Achse {deviation} voraus"};
-constexpr Sentence behind{"accelerating at the limit, the axis is {deviation} behind",
-                          "beim Beschleunigen an der Grenze eilt die Achse {deviation} nach"};
 constexpr Sentence no_gain{
     "no list gives Kv (P-AXIS-00099): the lag of a position controller in the NC is not in these sums",
     "keine Liste gibt Kv (P-AXIS-00099) an: der Nachlauf eines Lagereglers in der NC ist nicht enthalten"};
 constexpr Sentence channel_unknown{"{channel}: unknown, because the delay of {axis} is",
                                    "{channel}: unbekannt, weil es die Verzögerung von {axis} ist"};
+constexpr Sentence all_axes{"all axes", "alle Achsen"};
 constexpr Sentence apart_alone{"{channel}: {slow} and {fast} are {time} apart",
                                "{channel}: {slow} und {fast} liegen {time} auseinander"};
 constexpr Sentence in_step{"{channel}: the axes are in step", "{channel}: die Achsen laufen gleich"};
@@ -67,8 +56,11 @@ constexpr Sentence apart{
     "{channel}: {slow} und {fast} liegen {time} auseinander, bei {feed} bis zu {deviation} auf einer Geraden "
     "unter 45° oder einem Kreis"};
 constexpr Sentence of_drive{
-    "The drives' own delays are in no list and not in these sums.",
-    "Die eigenen Verzögerungen der Antriebe stehen in keiner Liste und sind nicht enthalten."};
+    "The drives' own delays are in no list; where the machine file does not give them (`drive_delay_us`), "
+    "they "
+    "are not in these sums.",
+    "Die eigenen Verzögerungen der Antriebe stehen in keiner Liste; wo die Maschinendatei sie nicht angibt "
+    "(`drive_delay_us`), sind sie nicht enthalten."};
 
 }  // namespace axisc::says
 
@@ -78,14 +70,27 @@ using namespace presentation;
 using validator::DelayBudget;
 using validator::DelayItem;
 using validator::DelayKind;
-using validator::FeedforwardState;
+using validator::DelayState;
 
 namespace {
 
-constexpr double rounding = 1e-9;  ///< cycles: sums of the same delays in another order
-
 Quantity cycles(double value) {
   return rounded(value, Unit::cycle, 4);
+}
+
+struct StateWords {
+  DelayState state;
+  std::string_view key;
+  SentenceRef title, word;
+};
+
+StateWords const& words_of(DelayState state) {
+  static constexpr std::array table{
+      StateWords{DelayState::at_start, "start", says::at_start, says::start_word},
+      StateWords{DelayState::fed_forward, "G135", says::after_g135, says::g135_word},
+      StateWords{DelayState::filters_on, "filters_on", says::filters_on, says::filters_word}};
+  return *std::find_if(table.begin(), table.end(),
+                       [&](StateWords const& words) { return words.state == state; });
 }
 
 class BudgetBlocks {
@@ -102,14 +107,14 @@ class BudgetBlocks {
     Sections channels{.key = "channels", .items = {}};
     for (auto const& group : machine_.groups) add_channel(group, channels);
     result.blocks.emplace_back(std::move(channels));
-    result.blocks.emplace_back(Paragraph{says::of_drive});
+    bool const is_stated = std::all_of(machine_.axes.begin(), machine_.axes.end(),
+                                       [](auto const& axis) { return axis.drive_delay_us > 0; });
+    if (!is_stated) result.blocks.emplace_back(Paragraph{says::of_drive});
     return result;
   }
 
  private:
-  [[nodiscard]] Quantity time(double in_cycles) const {
-    return rounded(in_cycles * cycle_time_.microseconds() / 1e3, Unit::millisecond, 4);
-  }
+  [[nodiscard]] Quantity time(double in_cycles) const { return delay_time(in_cycles, cycle_time_); }
 
   void add_axis(validator::LoadedAxis const& axis, Sections& axes) {
     auto const start = validator::delay_budget(axis, cycle_time_);
@@ -120,20 +125,23 @@ class BudgetBlocks {
                             .identity = {data("axis", axis.name)}});
       return;
     }
-    add_state(axis, *start, FeedforwardState::at_start, axes);
-    auto const on = validator::delay_budget(axis, cycle_time_, FeedforwardState::on);
-    if (on->feeds_forward && !start->feeds_forward) add_state(axis, *on, FeedforwardState::on, axes);
+    add_state(axis, *start, DelayState::at_start, axes);
+    auto const forward = validator::delay_budget(axis, cycle_time_, DelayState::fed_forward);
+    if (forward->feeds_forward && !start->feeds_forward) {
+      add_state(axis, *forward, DelayState::fed_forward, axes);
+    }
+    if (!start->has_filter_off) return;
+    add_state(axis, *validator::delay_budget(axis, cycle_time_, DelayState::filters_on),
+              DelayState::filters_on, axes);
   }
 
-  void add_state(validator::LoadedAxis const& axis, DelayBudget const& budget, FeedforwardState state,
+  void add_state(validator::LoadedAxis const& axis, DelayBudget const& budget, DelayState state,
                  Sections& axes) const {
-    bool const is_start = state == FeedforwardState::at_start;
+    auto const& words = words_of(state);
     Section section{.key = {},
-                    .title = Words(is_start ? says::at_start : says::after_g135, {{"axis", axis.name}}),
+                    .title = Words(words.title, {{"axis", axis.name}}),
                     .blocks = {},
-                    .identity = {data("axis", axis.name),
-                                 data("state", Symbol{is_start ? "start" : "G135",
-                                                      is_start ? says::start_word : says::g135_word})}};
+                    .identity = {data("axis", axis.name), data("state", Symbol{words.key, words.word})}};
     if (budget.items.empty()) {
       section.blocks.emplace_back(Paragraph{Words(says::nothing, {{"axis", axis.name}})});
     } else {
@@ -143,23 +151,16 @@ class BudgetBlocks {
     }
     std::vector<Field> sums{data("position_cycles", cycles(budget.position)),
                             data("position_ms", time(budget.position))};
-    auto deviation = std::optional<double>{};
     if (budget.feeds_velocity) {
       sums.push_back(data("velocity_cycles", cycles(budget.velocity)));
       sums.push_back(data("lead_cycles", cycles(budget.lead())));
       sums.push_back(data("lead_ms", time(budget.lead())));
-      deviation = validator::deviation_of_lead(axis, budget.lead(), cycle_time_);
+      auto const deviation = validator::deviation_of_lead(axis, budget.lead(), cycle_time_);
       if (deviation) sums.push_back(data("lead_deviation_um", rounded(*deviation, Unit::micrometre, 4)));
     }
     section.blocks.emplace_back(Facts{std::move(sums)});
-    if (!budget.items.empty()) section.blocks.emplace_back(Paragraph{sums_of(budget)});
-    if (budget.lag != 0 && budget.feeds_velocity) {
-      section.blocks.emplace_back(Paragraph{Words(says::of_it_lag, {{"lag", time(budget.lag)}})});
-    }
-    if (deviation && std::abs(budget.lead()) > rounding) {
-      section.blocks.emplace_back(
-          Paragraph{Words(*deviation > 0 ? says::ahead : says::behind,
-                          {{"deviation", rounded(std::abs(*deviation), Unit::micrometre, 4)}})});
+    for (auto& sentence : delay_words(axis, budget, cycle_time_)) {
+      section.blocks.emplace_back(Paragraph{std::move(sentence)});
     }
     bool const may_lag = validator::position_controller(axis) != machine::PositionController::drive;
     if (may_lag && !axis.merged.values.at("getriebe[].kv").set())
@@ -167,21 +168,12 @@ class BudgetBlocks {
     axes.items.push_back(std::move(section));
   }
 
-  [[nodiscard]] Words sums_of(DelayBudget const& budget) const {
-    if (!budget.feeds_velocity) return {says::sum_alone, {{"position", time(budget.position)}}};
-    bool const is_together = std::abs(budget.lead()) <= rounding;
-    SentenceRef const ahead_or_behind = budget.lead() > 0 ? says::early : says::late;
-    SentenceRef const text = is_together ? SentenceRef(says::together) : ahead_or_behind;
-    std::vector<NamedValue> values{{"position", time(budget.position)}, {"velocity", time(budget.velocity)}};
-    if (!is_together) values.push_back({"lead", time(std::abs(budget.lead()))});
-    return {text, std::move(values)};
-  }
-
   [[nodiscard]] static Value name_of(DelayItem const& item) {
     switch (item.kind) {
       case DelayKind::filter: return item.filter;
       case DelayKind::interpolator: return Symbol{"interpolator", says::interpolator};
       case DelayKind::lag: return Symbol{"lag", says::lag};
+      case DelayKind::drive: return Symbol{"drive", says::in_drive};
       case DelayKind::shift:
       case DelayKind::quantity:
       case DelayKind::balancing: break;
@@ -190,6 +182,7 @@ class BudgetBlocks {
   }
 
   [[nodiscard]] Value place_of(DelayItem const& item) const {
+    if (item.kind == DelayKind::drive) return Symbol{"machine_file", says::machine_file};
     if (item.cause == nullptr || !item.cause->value_place()) return Symbol{"default", says::by_default};
     auto const& source = sources_[item.cause->source];
     return source.name() + ":" + std::to_string(item.cause->line - source.lines_before());
@@ -215,7 +208,8 @@ class BudgetBlocks {
   void add_channel(validator::LoadedGroup const& group, Sections& channels) const {
     if (group.axes.size() < 2) return;
     Section section{.key = {}, .title = {}, .blocks = {}, .identity = {data("channel", group.name)}};
-    Words const channel(labels::one_channel, {{"name", group.name}});
+    Words const channel =
+        group.name.empty() ? Words(says::all_axes) : Words(labels::one_channel, {{"name", group.name}});
     struct Delayed {
       std::string name;
       double cycles = 0;
@@ -238,7 +232,7 @@ class BudgetBlocks {
     auto const limit = validator::lowest_velocity_limit(machine_, group);
     double const feed = feed_.value_or(limit.value_or(0) * design::mm_per_min_of_um_per_s);
     std::vector<Field> facts{data("mismatch_cycles", cycles(mismatch)), data("mismatch_ms", time(mismatch))};
-    if (mismatch <= rounding) {
+    if (mismatch <= delay_rounding) {
       section.blocks.emplace_back(Paragraph{Words(says::in_step, {{"channel", channel}})});
     } else if (feed <= 0) {
       section.blocks.emplace_back(Paragraph{Words(
@@ -270,6 +264,11 @@ class BudgetBlocks {
 
 }  // namespace
 
+Section delay_budget_section(validator::LoadedMachine const& machine, SourceSet const& sources,
+                             std::optional<double> feed) {
+  return BudgetBlocks(machine, *machine.cycle_time, sources, feed).section();
+}
+
 std::optional<Document> delay_budget_answer(Workspace& workspace, DelayBudgetQuestion const& question,
                                             ErrorSink const& errors) {
   auto const path = machine_of_input(workspace, question.machine).machine;
@@ -278,10 +277,9 @@ std::optional<Document> delay_budget_answer(Workspace& workspace, DelayBudgetQue
   auto const checked = check_machine(workspace, path, errors, sources, loaded);
   if (!checked) return std::nullopt;
   require_cycle_time(path, *checked);
-  auto const cycle_time = *loaded->cycle_time;
   Document document{.version = 2, .title = says::budget, .blocks = {}, .csv_table = "items"};
-  document.blocks.emplace_back(Facts{{data("cycle_time_us", exact(cycle_time.microseconds()))}});
-  document.blocks.emplace_back(BudgetBlocks(*loaded, cycle_time, sources, question.feed).section());
+  document.blocks.emplace_back(Facts{{data("cycle_time_us", exact(loaded->cycle_time->microseconds()))}});
+  document.blocks.emplace_back(delay_budget_section(*loaded, sources, question.feed));
   return document;
 }
 

@@ -3,6 +3,7 @@
 
 #include "axisc/checking/path_machine.hpp"
 #include "presentation/document.hpp"
+#include "validator/loading/loading.hpp"
 
 #include <optional>
 
@@ -14,8 +15,13 @@ struct DelayBudgetQuestion {
   std::optional<double> feed = {};
 };
 
-/// None after errors. An axis of which a filter cannot be designed has no budget. Failure for what
-/// checked_machine() refuses.
+/// The budget of every axis of a machine with a cycle time, and the largest difference of each channel. An
+/// axis of which a filter cannot be designed has no budget. `feed` as in DelayBudgetQuestion.
+[[nodiscard]] presentation::Section delay_budget_section(validator::LoadedMachine const& machine,
+                                                         SourceSet const& sources,
+                                                         std::optional<double> feed);
+
+/// None after errors. Failure for what checked_machine() refuses.
 [[nodiscard]] std::optional<presentation::Document> delay_budget_answer(Workspace& workspace,
                                                                         DelayBudgetQuestion const& question,
                                                                         ErrorSink const& errors);

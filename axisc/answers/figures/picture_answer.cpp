@@ -104,14 +104,16 @@ pictures::Figure contour_figure(PictureQuestion const& question, InputImage cons
 
 pictures::Figure axes_figure(PictureQuestion const& question, Plotted& now, Plotted* before) {
   auto const& contents = now.input.image.contents;
-  PlotSubject const subject{
-      .now = {.file = now.input.image, .host = now.host},
-      .before = before != nullptr
-                    ? std::optional(PlottedImage{.file = before->input.image, .host = before->host})
-                    : std::nullopt,
-      .axes = chosen_axes(contents, question.axis ? question.axis : now.input.axis()),
-      .is_switched = !question.commands.empty(),
-      .language = question.language};
+  auto const image_of = [](Plotted& state) {
+    auto const& machine = state.input.machine;
+    return PlottedImage{
+        .file = state.input.image, .host = state.host, .machine = machine ? &machine->machine : nullptr};
+  };
+  PlotSubject const subject{.now = image_of(now),
+                            .before = before != nullptr ? std::optional(image_of(*before)) : std::nullopt,
+                            .axes = chosen_axes(contents, question.axis ? question.axis : now.input.axis()),
+                            .is_switched = !question.commands.empty(),
+                            .language = question.language};
   if (question.kind == PictureKind::step) return step_figure(subject);
   if (question.kind == PictureKind::delay) return delay_figure(subject);
   auto response = question.response;

@@ -1,5 +1,6 @@
 #include "axisc/answers/report/report_answer.hpp"
 
+#include "axisc/answers/contour/delay_budget_answer.hpp"
 #include "axisc/answers/difference/machine_difference.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/checking/compilable.hpp"
@@ -91,6 +92,9 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
     image.emplace(image_of(machine->machine, input));
     host.emplace(start_runtime(input, *image));
     subject.machine = &machine->machine;
+    SourceSet sources;
+    auto const loaded = loaded_machine(workspace, path, sources);
+    subject.delays = {delay_budget_section(loaded, sources, std::nullopt)};
     subject.plots.emplace(PlotSubject{.now = {.file = *image, .host = *host, .machine = subject.machine},
                                       .before = std::nullopt,
                                       .axes = chosen_axes(image->contents, std::nullopt),

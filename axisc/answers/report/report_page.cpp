@@ -22,6 +22,7 @@ constexpr Sentence content_of{"contents", "Inhalt"};
 constexpr Sentence part_findings{"Findings", "Befunde"};
 constexpr Sentence part_changes{"Changes", "Änderungen"};
 constexpr Sentence part_axes{"Axes", "Achsen"};
+constexpr Sentence part_delays{"Delay budget", "Verzögerungsbilanz"};
 constexpr Sentence part_channels{"Contours", "Konturen"};
 constexpr Sentence part_programs{"Programs", "Programme"};
 constexpr Sentence part_explanations{"Explanations", "Erklärungen"};
@@ -99,6 +100,7 @@ std::string report_page(ReportSubject const& subject) {
       {.id = "findings", .name = says::part_findings, .html = findings_section(subject)},
       {.id = "changes", .name = says::part_changes, .html = html(changes_section(subject))},
       {.id = "axes", .name = says::part_axes, .html = html(axes_section(subject))},
+      {.id = "delays", .name = says::part_delays, .html = html(subject.delays)},
       {.id = "contours", .name = says::part_channels, .html = html(channels_section(subject))},
       {.id = "programs", .name = says::part_programs, .html = html(programs_section(subject))},
       {.id = "explanations", .name = says::part_explanations, .html = html(explanations_section(subject))}};

@@ -12,6 +12,8 @@
 
 namespace axisc {
 
+using ReportBlocks = std::vector<presentation::Block>;
+
 /// A finding as the page shows it.
 struct ReportedFinding {
   Severity severity = Severity::error;
@@ -29,6 +31,7 @@ struct ReportSubject {
   std::optional<PlotSubject> plots;           ///< none after errors; `machine` of its state is set
   ShownDifference const* difference = nullptr;
   ContourRequest contour;
+  ReportBlocks delays = {};  ///< the delay budget; none after errors
   Language language = Language::english;
 
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
@@ -46,7 +49,6 @@ void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const
 [[nodiscard]] std::string report_page(ReportSubject const& subject);
 
 // Its parts. Findings are HTML: each leads to its explanation.
-using ReportBlocks = std::vector<presentation::Block>;
 [[nodiscard]] std::string findings_section(ReportSubject const& subject);
 [[nodiscard]] ReportBlocks changes_section(ReportSubject const& subject);
 [[nodiscard]] ReportBlocks axes_section(ReportSubject const& subject);

@@ -16,4 +16,7 @@ N140 G339=50
 N150 X100
 N160 #SLOPE [TYPE=TRAPEZ NO_OPT=1]
 N170 X100
-N180 M30
+N180 G135 G136 X80 Y95            (both axes are fed forward alike, or not at all)
+N185 X100
+N190 G137 X100
+N200 M30

@@ -38,7 +38,8 @@ std::vector<FileKind> const& kinds() {
        R"({
         "machine": "mill", "cycle_time_us": 1000, "default_list": "default.lis",
         "default_channel_list": "sda.lis",
-        "axes": [{"name": "X", "list": "x.lis", "drive": "profiDrive", "position_control": "CNC", "type": "t"},
+        "axes": [{"name": "X", "list": "x.lis", "drive": "profiDrive", "position_control": "CNC", "type": "t",
+                  "drive_delay_us": 2500},
                  {"name": "Y", "list": "y.lis", "drive": "RT Ethernet", "type": "S"}],
         "groups": [{"name": "table", "axes": ["X", "Y"], "programs": ["a.nc"], "channel_list": "sda1.lis",
                     "look_ahead_blocks": 190}],

@@ -130,3 +130,89 @@ TEST_CASE("contour and simulate contain what delays positions after the filters"
   CHECK(predicted(equal) == 0);
   CHECK(simulated(equal) == 0);
 }
+
+TEST_CASE("simulate follows G135, G136 and G137") {
+  TemporaryFolder const folder;
+  std::string const dynamics =
+      "getriebe[0].dynamik.vb_max 500000\ngetriebe[0].dynamik.a_max 10000\n"
+      "getriebe[0].lslope_profil.a_stufe_1 10000\ngetriebe[0].lslope_profil.a_stufe_2 10000\nEnde\n";
+  folder.write("x.lis", "vorsteuer.vorsteuerung VEL\n" + dynamics);
+  folder.write("y.lis", dynamics);
+  folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
+                            {"name": "Y", "list": "y.lis"}]})");
+  folder.write("p.nc",
+               "N10 G01 X70 Y70 F4000\nN20 G135 G136 X80 Y95\nN30 X140 Y140\nN40 G137 X210 Y210\nM30\n");
+  auto const outcome =
+      run_axisc({"simulate", "m.json", "--program", "p.nc", "--format", "json"}, in_folder(folder.path()));
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  auto const answer = nlohmann::json::parse(outcome.out);
+  auto const& passes = answer["passes"];
+  REQUIRE(passes.size() == 3);
+  // G135 gives X, which alone is fed forward, 5 cycles of 1 ms: F ΔP/2 at 45°.
+  CHECK(passes[0]["max_contour_deviation_um"] == 0);
+  CHECK(passes[1]["command"] == "G135");
+  CHECK(passes[1]["line"] == 2);
+  CHECK(passes[1]["max_contour_deviation_um"].get<double>() == Approx(4000.0 / 60 * 5 / 2).margin(0.01));
+  CHECK(passes[2]["command"] == "G137");
+  CHECK(passes[2]["max_contour_deviation_um"] == 0);
+
+  SECTION("where both axes are fed forward, nothing changes") {
+    folder.write("y.lis", "vorsteuer.vorsteuerung VEL\n" + dynamics);
+    auto const equal =
+        run_axisc({"simulate", "m.json", "--program", "p.nc", "--format", "json"}, in_folder(folder.path()));
+    REQUIRE(equal.status == 0);
+    auto const found = nlohmann::json::parse(equal.out);
+    REQUIRE(found["passes"].size() == 1);
+    CHECK(found["passes"][0]["max_contour_deviation_um"] == 0);
+  }
+}
+
+TEST_CASE("the machine file says what drives delay") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "getriebe[0].dynamik.vb_max 500000\nEnde\n");
+  folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [
+    {"name": "X", "list": "x.lis", "drive_delay_us": 2500}, {"name": "Y", "list": "x.lis"}]})");
+  auto const there = in_folder(folder.path());
+  auto const outcome =
+      run_axisc({"contour", "m.json", "--budget", "--feed", "4000", "--format", "json"}, there);
+  REQUIRE(outcome.status == 0);
+  auto const found = nlohmann::json::parse(outcome.out)["delay_budget"];
+  auto const& item = found["axes"][0]["items"][0];
+  CHECK(item["item"] == "drive");
+  CHECK(item["from"] == "machine_file");
+  CHECK(item["basis"] == "reading");
+  CHECK(item["position_cycles"] == 2.5);
+  // F ΔP/2 = 4000/60 mm/s · 2.5 ms / 2 = 83.33 µm, on the line of `contour` as well.
+  CHECK(found["channels"][0]["deviation_um"].get<double>() == Approx(83.33).margin(0.005));
+  auto const line = run_axisc({"contour", "m.json", "--feed", "4000", "--format", "json"}, there);
+  REQUIRE(line.status == 0);
+  auto const predicted = nlohmann::json::parse(line.out);
+  double deviation = 0;
+  for (auto const& row : predicted["groups"][0]["table"]) {
+    if (row["contour"] == "line") deviation = row["contour_deviation_um"].get<double>();
+  }
+  CHECK(deviation == Approx(83.33).margin(0.005));
+}
+
+TEST_CASE("the picture of delays stacks what lies behind the filters") {
+  TemporaryFolder const folder;
+  std::string const pt1 =
+      "filter[0].type PT1\nfilter[0].enable 1\nfilter[0].order 1\nfilter[0].time_constant 4000\n";
+  folder.write("x.lis",
+               pt1 + "kenngr.antr_typ 3\nvorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\nEnde\n");
+  folder.write("y.lis", pt1 + "Ende\n");
+  folder.write("m.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
+                            {"name": "Y", "list": "y.lis", "drive_delay_us": 1500}]})");
+  auto const outcome =
+      run_axisc({"plot", "m.json", "--kind", "delay", "-o", "d.svg"}, in_folder(folder.path()));
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  auto const picture = folder.read("d.svg");
+  // A pre-warped PT1 of 4 ms: 3.979 cycles; 5 of feedforward; its velocity goes out 3 earlier.
+  CHECK_THAT(picture, Catch::Matchers::Contains("X 8.979 ms; X, v 5.979 ms; Y 5.479 ms") &&
+                          Catch::Matchers::Contains("interpolator to position controller") &&
+                          Catch::Matchers::Contains("P-AXIS-00165") &&
+                          Catch::Matchers::Contains("in the drive"));
+}

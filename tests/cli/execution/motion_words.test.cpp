@@ -115,7 +115,8 @@ TEST_CASE("motion words: braking for a lower feed behind a block, or by its end"
 
 TEST_CASE("motion words: those that change nothing") {
   std::vector<TimedBlock> expected;
-  for (std::string const label : {"N20", "N30", "N40", "N50", "N60", "N80", "N100", "N150", "N170"}) {
+  for (std::string const label :
+       {"N20", "N30", "N40", "N50", "N60", "N80", "N100", "N150", "N170", "N185", "N190"}) {
     expected.push_back({label, stop_to_stop(100)});
   }
   check_times(simulated("accepted.nc"), expected);

@@ -188,8 +188,8 @@ TEST_CASE("a recording names the guard's commands as programs write them") {
   TemporaryFolder const folder;
   auto const there = machine(folder, guard(1), R"("filter_sets": ["#VIB GUARD ON [MODE=2 FREQ=41.5]"], )");
   REQUIRE(run_axisc({"compile", "m.json", "-o", "m.axim", "--quiet"}, there).status == 0);
-  REQUIRE(run_axisc({"run", "m.axim", "--cycles", "20", "--at", "3:#VIB GUARD ON [MODE=2 FREQ=41.5]", "--at",
-                     "9:#VIB GUARD OFF", "--record", "r.axrd", "-o", "run.csv"},
+  REQUIRE(run_axisc({"run", "m.axim", "--cycles", "900", "--at", "3:#VIB GUARD ON [MODE=2 FREQ=41.5]", "--at",
+                     "800:#VIB GUARD OFF", "--record", "r.axrd", "-o", "run.csv"},
                     there)
               .status == 0);
   auto const replayed = run_axisc({"replay", "m.axim", "r.axrd"}, there);

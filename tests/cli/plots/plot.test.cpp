@@ -605,7 +605,7 @@ TEST_CASE("the delay is that with FIR filters on, as AX4011 compares it, and bes
     INFO(row);
     CHECK(std::find(table.begin(), table.end(), row) != table.end());
   }
-  CHECK_THAT(plot({"-o", "-"}), Contains("FIR and HSC filters on: X, Y") &&
+  CHECK_THAT(plot({"-o", "-"}), Contains("all filters on: X, Y") &&
                                     Contains("X 20 ms, at start-up 0 ms; Y 10 ms, at start-up 0 ms"));
   // What --at switches is shown alone.
   CHECK_THAT(plot({"-o", "-", "--at", "0:#FILTER OFF"}), Contains("No axis has a delay."));

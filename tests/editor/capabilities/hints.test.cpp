@@ -36,6 +36,9 @@ TEST_CASE("hints show the quantity behind a raw number") {
   auto const found = labels(hints);
   CHECK(std::count(found.begin(), found.end(), "1:21 = 42.5 Hz") == 1);
   CHECK(std::count(found.begin(), found.end(), "3:34 = 500 mm/s") == 1);
+  auto const delay = labels(asked("textDocument/inlayHint", "/x.lis", "vorsteuer.velocity_delay_time 1500\n",
+                                  {{"range", whole_range}}));
+  CHECK(std::count(delay.begin(), delay.end(), "0:34 = 1.5 ms, 1.5 cycles") == 1);
   CHECK(std::none_of(found.begin(), found.end(), [](auto const& hint) { return hint.starts_with("4:"); }));
   CHECK(std::none_of(found.begin(), found.end(), [](auto const& hint) { return hint.starts_with("5:"); }));
 }

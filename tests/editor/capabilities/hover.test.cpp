@@ -160,3 +160,18 @@ TEST_CASE("pointing at a word that says how the path is driven shows what it doe
   CHECK(said(2, 4).find("G131=percent") != std::string::npos);
   CHECK(said(2, 20).find("#CONTOUR MODE OFF") < 3);
 }
+
+TEST_CASE("hovering over what delays says its share, and what the axis comes to") {
+  std::string const text =
+      "kenngr.antr_typ 3\nvorsteuer.vorsteuerung ADD_VEL\nvorsteuer.default_active 1\n"
+      "vorsteuer.shift_time 3\nvorsteuer.velocity_delay_time 1500\n";
+  // 5 cycles for both, 3 earlier and 1.5 later for the velocity: 3.5.
+  std::string const sums =
+      "position 5 ms, velocity feedforward 3.5 ms: the velocity arrives 1.5 ms before its position";
+  auto const shift = hover_text("/x.lis", text, 3, 3);
+  contains(shift, "Its share: velocity feedforward -3 cycles (-3 ms)");
+  contains(shift, "At the start of programs: " + sums);
+  auto const delay = hover_text("/x.lis", text, 4, 3);
+  contains(delay, "Its share: velocity feedforward 1.5 cycles (1.5 ms).");
+  contains(hover_text("/x.lis", text, 2, 3), sums);
+}

@@ -73,3 +73,18 @@ TEST_CASE("commands give pages of what is in the editor") {
             "has errors") != std::string::npos);
   CHECK(ask(text, {"axisc.unknown"})["error"]["code"] == -32602);
 }
+
+TEST_CASE("a lens above feedforward says how far it leads") {
+  // The default shift of PROFIdrive is 3 cycles: a L/Kv = 3 m/s² · 3 ms / 60 1/s = 150 µm.
+  std::string const text =
+      "kenngr.antr_typ 3\nantr.operation_mode CNC_POSITION_CONTROL\ngetriebe[0].kv 6000\n"
+      "getriebe[0].dynamik.a_max 3000\nvorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\n";
+  auto const lenses = asked("textDocument/codeLens", "/x.lis", text);
+  REQUIRE(lenses.size() == 1);
+  CHECK(lenses[0]["range"]["start"]["line"] == 4);
+  CHECK(lenses[0]["command"]["title"] == "velocity feedforward leads by 3 cycles: 150 µm at a_max");
+  CHECK(lenses[0]["command"]["arguments"][1] == "delay");
+  // Together with the position, and without feedforward, there is nothing to say.
+  CHECK(asked("textDocument/codeLens", "/x.lis", text + "vorsteuer.shift_time 0\n").empty());
+  CHECK(asked("textDocument/codeLens", "/x.lis", text + "vorsteuer.default_active 0\n").empty());
+}

@@ -10,6 +10,10 @@ constexpr Sentence headline{
     R"(gantry "{master}"/"{slave}": the filters of master and slave are {cycles} cycles ({milliseconds} ms) apart)",
     "Gantry „{master}“/„{slave}“: die Filter von Master- und Slaveachse liegen {cycles} Zyklen "
     "({milliseconds} ms) auseinander"};
+constexpr Sentence headline_positions{
+    R"(gantry "{master}"/"{slave}": the positions of master and slave are {cycles} cycles ({milliseconds} ms) apart)",
+    "Gantry „{master}“/„{slave}“: die Positionen von Master- und Slaveachse liegen {cycles} Zyklen "
+    "({milliseconds} ms) auseinander"};
 constexpr Sentence headline_same_delay{
     R"(gantry "{master}"/"{slave}": master and slave have different filters)",
     "Gantry „{master}“/„{slave}“: Master- und Slaveachse haben verschiedene Filter"};
@@ -21,6 +25,8 @@ constexpr Sentence same_delay{
     "die Verzögerungen stimmen überein; das Portal steht nur beim Beschleunigen schief"};
 constexpr Sentence help{"configure the same filters in master and slave",
                         "in Master- und Slaveachse dieselben Filter konfigurieren"};
+constexpr Sentence help_feedforward{"use the same feedforward in master and slave",
+                                    "in Master- und Slaveachse dieselbe Vorsteuerung verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -44,17 +50,19 @@ void gantry_filters_differ(MachineContext const& context, Report& report) {
     if (!master) continue;
     for (std::size_t const index : gantry.slaves) {
       auto const slave = delayed_axis(context, index);
-      auto const difference = slave ? compare_filters({*master, *slave}) : std::nullopt;
+      auto const difference = slave ? compare_positions({*master, *slave}) : std::nullopt;
       if (!difference) continue;
       double const seconds = difference->cycles * context.cycle_time.seconds();
+      SentenceRef const headline =
+          difference->feedforward_differs ? says::headline_positions : says::headline;
       Finding& finding = report_difference(
-          *difference, difference->is_apart() ? says::headline : says::headline_same_delay, context, report);
+          *difference, difference->is_apart() ? headline : says::headline_same_delay, context, report);
       if (difference->is_apart()) {
         add_skew(finding, master->axis, seconds);
       } else {
         finding.notes.push_back({says::same_delay, {}});
       }
-      finding.help.push_back({says::help, {}});
+      finding.help.push_back({difference->filters_differ ? says::help : says::help_feedforward, {}});
     }
   }
 }
@@ -62,7 +70,10 @@ void gantry_filters_differ(MachineContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax4021{
-    .parameters = "filter[].* filter_fir.* vib_guard.* kenngr.achs_mode kenngr.gantry_ax_nr",
+    .parameters =
+        "filter[].* filter_fir.* vib_guard.* kenngr.achs_mode kenngr.gantry_ax_nr vorsteuer.vorsteuerung "
+        "vorsteuer.default_active vorsteuer.global_disable vorsteuer.feedforward_without_delay "
+        "vorsteuer.timeconst_sym_filter kenngr.antr_typ",
     .needs = Needs::cycle_time,
     .check = gantry_filters_differ,
 };

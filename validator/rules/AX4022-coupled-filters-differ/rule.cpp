@@ -10,6 +10,10 @@ constexpr Sentence headline{
     R"(coupled axes "{master}" and "{slave}": their filters are {cycles} cycles ({milliseconds} ms) apart)",
     "gekoppelte Achsen „{master}“ und „{slave}“: ihre Filter liegen {cycles} Zyklen ({milliseconds} ms) "
     "auseinander"};
+constexpr Sentence headline_positions{
+    R"(coupled axes "{master}" and "{slave}": their positions are {cycles} cycles ({milliseconds} ms) apart)",
+    "gekoppelte Achsen „{master}“ und „{slave}“: ihre Positionen liegen {cycles} Zyklen ({milliseconds} ms) "
+    "auseinander"};
 constexpr Sentence headline_same_delay{
     R"(the coupled axes "{master}" and "{slave}" have different filters)",
     "die gekoppelten Achsen „{master}“ und „{slave}“ haben verschiedene Filter"};
@@ -18,6 +22,8 @@ constexpr Sentence same_delay{"their delays agree, so they differ only while the
 constexpr Sentence coupled_here{"the coupling stands here", "hier steht die Kopplung"};
 constexpr Sentence help{"configure the same filters in both axes",
                         "in beiden Achsen dieselben Filter konfigurieren"};
+constexpr Sentence help_feedforward{"use the same feedforward in both axes",
+                                    "in beiden Achsen dieselbe Vorsteuerung verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -33,14 +39,15 @@ void check_pair(configuration::CoupledPair const& pair, MachineContext const& co
   if (master_of(context.machine, *slave_index) == master_index) return;
   auto const master = delayed_axis(context, *master_index);
   auto const slave = delayed_axis(context, *slave_index);
-  auto const difference = master && slave ? compare_filters({*master, *slave}) : std::nullopt;
+  auto const difference = master && slave ? compare_positions({*master, *slave}) : std::nullopt;
   if (!difference) return;
   bool const apart = difference->is_apart();
+  SentenceRef const headline = difference->feedforward_differs ? says::headline_positions : says::headline;
   Finding& finding =
-      report_difference(*difference, apart ? says::headline : says::headline_same_delay, context, report);
+      report_difference(*difference, apart ? headline : says::headline_same_delay, context, report);
   finding.related.push_back({.place = pair.slave->place, .message = {says::coupled_here, {}}});
   if (!apart) finding.notes.push_back({says::same_delay, {}});
-  finding.help.push_back({says::help, {}});
+  finding.help.push_back({difference->filters_differ ? says::help : says::help_feedforward, {}});
 }
 
 void coupled_filters_differ(MachineContext const& context, Report& report) {
@@ -54,7 +61,10 @@ void coupled_filters_differ(MachineContext const& context, Report& report) {
 
 extern constinit Rule const ax4022{
     .severity = Severity::warning,
-    .parameters = "filter[].* filter_fir.* vib_guard.* kopf.achs_nr",
+    .parameters =
+        "filter[].* filter_fir.* vib_guard.* kopf.achs_nr vorsteuer.vorsteuerung vorsteuer.default_active "
+        "vorsteuer.global_disable vorsteuer.feedforward_without_delay vorsteuer.timeconst_sym_filter "
+        "kenngr.antr_typ",
     .needs = Needs::cycle_time,
     .check = coupled_filters_differ,
 };

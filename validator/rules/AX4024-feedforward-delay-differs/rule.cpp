@@ -6,7 +6,6 @@
 #include "validator/views/delay_budget.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace axisc::validator::says {
 
@@ -26,20 +25,6 @@ constexpr Sentence help{"use the same feedforward in all axes of the channel",
 
 namespace axisc::validator::checks {
 namespace {
-
-/// The last line of the axis that says something about feedforward; null where no list does.
-EffectiveValue const* line_about_feedforward(LoadedAxis const& axis) {
-  constexpr std::array<std::string_view, 5> parameters{
-      "vorsteuer.vorsteuerung", "vorsteuer.default_active", "vorsteuer.global_disable",
-      "vorsteuer.feedforward_without_delay", "vorsteuer.timeconst_sym_filter"};
-  EffectiveValue const* last = nullptr;
-  for (std::string_view const name : parameters) {
-    EffectiveValue const& value = axis.merged.values.at(name);
-    if (!value.value_place()) continue;
-    if (last == nullptr || *last->value_place() < *value.value_place()) last = &value;
-  }
-  return last;
-}
 
 void feedforward_delay_differs(GroupContext const& context, Report& report) {
   // Without a line about feedforward nothing differs, and no filter need be designed.

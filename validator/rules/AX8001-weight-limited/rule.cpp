@@ -63,7 +63,7 @@ constexpr std::array rapid_ramps{Weighed{"getriebe[].slope_profil.tr_grenz", "50
 std::span<Weighed const> weighed_by(schema::Weighting const& weighting, machine::Slope slope) {
   bool const is_step = slope == machine::Slope::step;
   bool const is_rapid = weighting.in == In::rapid;
-  if (weighting.in == In::feed_hold) return {};
+  if (weighting.in == In::no_plan) return {};
   if (weighting.of == Of::acceleration) {
     if (is_step) return is_rapid ? std::span<Weighed const>(rapid_step_accelerations) : step_accelerations;
     return is_rapid ? std::span<Weighed const>(rapid_accelerations) : accelerations;

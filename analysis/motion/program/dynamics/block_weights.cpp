@@ -29,6 +29,7 @@ void weigh(AxisWeights& weights, Weighting::Of of, double percent, std::uint8_t 
     case Weighting::Of::acceleration: return weigh_acceleration(weights, percent, acceleration);
     case Weighting::Of::ramp_times: return weigh_ramp_times(weights, percent, ramp);
     case Weighting::Of::curve_ramp_time: weights.curve_ramp = percent; return;
+    case Weighting::Of::feedforward: return;
   }
 }
 

@@ -221,6 +221,8 @@ void take_motion_command(MotionWord const& word, std::size_t at, NcBlock const& 
     case MotionEffect::limit_by:
     case MotionEffect::limit_by_all:
     case MotionEffect::weigh:
+    case MotionEffect::feed_forward:
+    case MotionEffect::feed_no_more:
     case MotionEffect::round_corner: return;
   }
 }
