@@ -1,9 +1,10 @@
-# The runtime is what other projects link: find_package(axisrt) gives axisrt::axisrt, pkg-config knows axisrt.
+# The runtime is what other projects link: find_package(axisrt) gives axisrt::axisrt and axisrt::axisrt_c, pkg-config
+# knows axisrt.
 # `cmake --install build/release --component axisrt` installs it alone.
 include(CMakePackageConfigHelpers)
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/axisrt")
-install(TARGETS axisrt EXPORT axisrtTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT axisrt)
-install(FILES "${PROJECT_SOURCE_DIR}/runtime/include/axisrt.h" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT axisrt)
+install(TARGETS axisrt axisrt_c EXPORT axisrtTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT axisrt)
+install(FILES "${PROJECT_SOURCE_DIR}/runtime/include/axisrt.h" "${PROJECT_SOURCE_DIR}/runtime/c99/axisrt_c.h" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT axisrt)
 install(EXPORT axisrtTargets NAMESPACE axisrt:: DESTINATION ${package} COMPONENT axisrt)
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/axisrtConfig.cmake.in"
   "${CMAKE_CURRENT_BINARY_DIR}/axisrtConfig.cmake" INSTALL_DESTINATION ${package})

@@ -158,7 +158,7 @@ tail sum. Each cycle, with `d[n] = x[n] - x[n-1]`:
 
 So the taps sum to 1 by construction, and at rest y = x exactly, whatever was rounded: a reset sets all d to 0. A symmetric
 kernel has 2h tail sums and a delay of h cycles, a time delay as many tail sums as cycles, each of them its share (1 at
-100 %). The share of a symmetric kernel is in its tail sums. |S_j| <= 64, at most 200 of them. After an HSC kernel
+100 %). The share of a symmetric kernel is in its tail sums. |S_j| <= 64, at most 200 of them, of Vibration Guard 960. After an HSC kernel
 the filters compute with `d = d - (E[n] - E[n-1])`.
 
 Equal kernels are stored once, in the order of first use: by slots the lists' values, then by groups, banks and members. What
@@ -247,6 +247,71 @@ the largest amplification that a setpoint reaches; so may the product with a ker
 
 Images of axisc 0.2.0 and before have the sum alone, without the bounds: usually by less than 2e-12 too low, far too low where the
 filter is so slow. A loader refuses the grossest of them only, so compile such machines again.
+
+## Bit for bit
+
+Two runtimes that round every operation to a double give equal outputs if they follow this order of operations, which is that of
+`axisrt` at level portable; [`axisrt_c.c`](../runtime/c99/axisrt_c.c) is written from it. Brackets and the order of terms count,
+sums are added from the left, and nothing is contracted.
+
+A setpoint that is not finite or beyond 2^53 is replaced by the one before; below 2^-500 it is +0. A signal is `base + sum`, with
+its increment `d`. At the beginning of a chain `base = x[n]`, `sum = 0`, `d = x[n] - x[n-1]`; at its end `y = base + sum`. So the
+size of a position enters one rounding only. Operations are, in the order of the chain, an HSC kernel, the filters, a FIR kernel
+or guard. Filters that pass through, and delays of 0 cycles, are none; filters with H(1) = 1, share 1 and direct 0 that follow
+each other are one, with the sections of all of them. `G(v) = (v + 2^-567) - 2^-567` brings a number back to multiples of 2^-620:
+none gets subnormal.
+
+Coefficients are taken as 0 where they are below a limit: p below 2^-44, k, b, `g = p + q`, share, direct, weights and scales
+below 2^-62, `direct_low` below 2^-108, tail sums below 2^-128. A section with its states e and r, where r is kept as R = r +
+2^-567:
+
+    de = p d + (R - 2^-567)        e = e + de        R = R + ((g d - k e) - b de)
+
+After every third section of an operation d becomes G(d).
+
+    sections, H(1) = 1      for each: sum = sum + e, d = d + de; after the last one sum = G(sum), d = G(d)
+    the same, with a share  afterwards sum = share sum + direct sum_in, d = share d + direct d_in
+    sections, H(1) = 0      for each: d = de; with e of the last one
+                            (h, l) = direct base without loss; l = l + direct_low base
+                            sum = G(share e + (direct sum + l)), d = G(share d + direct d_in), base = G(h)
+    delay, of D cycles      with base_D, sum_D, d_D of D cycles ago
+                            sum = G(share sum_D + direct ((base - base_D) + sum)), d = G(share d_D + direct d), base = base_D
+    kernel                  E = G(E); sum = sum - E[n], d = d - (E[n] - E[n-1])
+
+A chain that is nothing but 1, 2, 4 or 6 sections with H(1) = 1 and share 1 leaves its last sum and d as they are, without G.
+"Without loss" is Dekker's product with the factor 2^27 + 1: `l = ((ah bh - h) + ah bl + al bh) + al bl`.
+
+E is added up over a ring of increments whose length is `8 ((max(history, 1) + 6) / 8 + 1)` (whole division; 16 for 1), from place
+0 on. Blocks of eight places count from the present one backwards; the increment in place i of a block goes into sum i mod 4 with
+the tail sum of its age, and `E = (s0 + s1) + (s2 + s3)`. Moving averages are computed otherwise: with `s = S_0 / K` for K tail
+sums, K > 1, a kernel is one if `|s (K - j) - S_j| <= 2^-50 |S_j|` for all of them. Time is cut into windows of K cycles, the
+first begins at create:
+
+    G = G - Q        Q = Q - d[n-K]        C = (C - P) + K d[n]        P = P + d[n]        E = s (C + G)
+
+and after the last cycle of a window G = C, Q = P, C = P = 0. After a command the kernel is applied as the others are until the
+fade is over; at the end of that cycle G = sum of (K - j) d[n-j] for j = 0, 1, ..., Q = sum of d[n-j], C = P = 0, and a window
+begins. A fade begins with t = 1/F in the cycle after the command; `w = ((t t) t) (10 + t (6 t - 15))`, `E = E_A + w (E_B - E_A)`,
+and its last cycle is E_B. A reset sets all of these states and the ring to 0 and ends a fade; windows and places go on.
+
+States of sections that are tiny or run away are cleared: e = 0, R = 2^-567 unless 2^-500 <= |e| + |R| <= 2^200. They are looked
+at in turn, after a cycle. Chains have the same form if their operations are of the same kinds, with as many sections, equal
+delays and rings of equal length. Lines (axes, or stages) of one form are a batch, in their order. That holds for the first 32
+forms, in the order of their first lines; of the other lines, in their order, those of one form that follow each other are a
+batch. Each operation with N sections in all lines of a batch has a place among them, line by line, from the first one at create;
+in every cycle the next N/6 sections, rounded up, are looked at, after the last one comes the first.
+
+A reset to x (below 2^-500: 0) clears e, r and kernels, fills delays with the signal that reaches them, and leaves as the latest
+output what the formulas give for d = 0. A shift of the origin by an offset adds, along the chain, the steady output for a
+constant offset to what delays hold, base with its rounding error, which goes to sum, and to the latest input and output.
+
+An output is implausible that moves by more than `G((P + 1/4) (velocity_limit 10 T))`, T = cycle_time_ns 1e-9, where the limit is
+above 0. P is the axis' `peak_gain`; with a slot it is divided by that of the kernel that works from start-up and multiplied by
+the largest one, at least 1, of all kernels with at most as many tail sums as the slot remembers (of all where that is more than
+200).
+
+Stages of mode 1 get the motor's velocity where there is no direct one. The sum of v_add begins at 0 and becomes G(v_add) before
+it is limited. A command at standstill finds every increment below 2^-30 in the last max(history, 1) cycles.
 
 ## What a loader refuses
 

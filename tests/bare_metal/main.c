@@ -1,6 +1,7 @@
 /* The runtime on a microcontroller: images in flash, static memory, outputs compared with the host's bit for
  * bit. The result is printed through the debugger's semihosting. */
 #include "tests/bare_metal/motion.h"
+#include "tests/bare_metal/motion_c99.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,6 +57,23 @@ static int execute(char const* name, uint8_t const* image, uint8_t const* image_
   return result.different == 0 && result.compared == expected_count;
 }
 
+/* The runtime in C99 with the same image: the same outputs. */
+static int execute_c99(uint8_t const* image, uint8_t const* image_end) {
+  comparison result = {0, 0};
+  axisrt_c* runtime = NULL;
+  size_t size = 0;
+  size_t const image_size = (size_t)(image_end - image);
+  axisrt_c_status status = axisrt_c_memory_size(image, image_size, &size);
+  if (status == AXISRT_C_OK) status = axisrt_c_create(image, image_size, memory, sizeof memory, &runtime);
+  if (status != AXISRT_C_OK || motion_execute_c99(runtime, compare, &result) != 0) {
+    printf("axisrt_c: status %d\n", (int)status);
+    return 0;
+  }
+  printf("axisrt_c: %lu bytes of memory, %lu outputs, %lu different\n", (unsigned long)size,
+         (unsigned long)result.compared, (unsigned long)result.different);
+  return result.different == 0 && result.compared == expected_count;
+}
+
 /* A damaged image is refused here as anywhere: the checksum of the last byte. */
 static int refuses_damage(void) {
   static _Alignas(AXISRT_ALIGNMENT) uint8_t copy[16 * 1024];
@@ -70,6 +88,7 @@ static int refuses_damage(void) {
 int main(void) {
   int good = execute("complete image", image_complete, image_complete_end);
   good &= execute("stripped image", image_stripped, image_stripped_end);
+  good &= execute_c99(image_complete, image_complete_end);
   good &= refuses_damage();
   printf(good ? "passed\n" : "FAILED\n");
   if (!good) abort(); /* semihosting's plain exit has no status */

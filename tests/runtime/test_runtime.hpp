@@ -24,7 +24,8 @@ inline std::uint32_t test_level() {
 
 class TestRuntime {
  public:
-  explicit TestRuntime(Bytes const& image, std::uint32_t cycle_time_ns = 1'000'000)
+  explicit TestRuntime(Bytes const& image, std::uint32_t cycle_time_ns = 1'000'000,
+                       std::uint32_t level = test_level())
       : image_(std::make_unique<AlignedMemory>(image)) {
     axisrt_config config{.size = sizeof(axisrt_config),
                          .cycle_time_ns = cycle_time_ns,
@@ -32,7 +33,7 @@ class TestRuntime {
                          .image_size = image_->size(),
                          .memory = nullptr,
                          .memory_size = 0,
-                         .level = test_level(),
+                         .level = level,
                          .reserved = 0,
                          .verify_signature = nullptr,
                          .verify_context = nullptr};
