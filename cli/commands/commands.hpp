@@ -19,6 +19,7 @@ namespace axisc::cli {
 [[nodiscard]] ExitStatus report(Invocation const& invocation);
 [[nodiscard]] ExitStatus replay(Invocation const& invocation);
 [[nodiscard]] ExitStatus diff(Invocation const& invocation);
+[[nodiscard]] ExitStatus export_filters(Invocation const& invocation);
 [[nodiscard]] ExitStatus keygen(Invocation const& invocation);
 [[nodiscard]] ExitStatus sign(Invocation const& invocation);
 [[nodiscard]] ExitStatus contour(Invocation const& invocation);
