@@ -36,6 +36,33 @@ for program in with_cxx/filter_in_c with_cxx/filter_in_cxx c_alone/filter_in_c f
 done
 
 "$folder/with_cxx/cyclic_task" "$folder/mill.axim" 300 2>/dev/null
+
+# The recording ends with the jump, and is executed again bit for bit.
+"$folder/with_cxx/record" "$folder/mill.axim" "$folder/jump.axrd" | grep -qx 'cycle 500: AXISRT_IMPLAUSIBLE'
+"$build/bin/axisc" replay "$folder/mill.axim" "$folder/jump.axrd" --lang en >"$folder/replay.txt"
+grep -q 'every output is the same, bit for bit' "$folder/replay.txt"
+
+# Two images of one axis that may change over in motion; those of the mill may not.
+for frequency in 25 40; do
+  printf '%s\n' 'kopf.achs_nr 1' 'kopf.log_achs_name X' 'kenngr.achs_typ 1' 'getriebe[0].dynamik.vb_max 200000' \
+    'getriebe[0].dynamik.a_max 2000' 'filter[0].enable 1' 'filter[0].order 2' 'filter[0].prototype CRIT_DAMPING' \
+    'filter[0].type LOWPASS' "filter[0].fg_f0 $frequency" >"$folder/x$frequency.lis"
+  "$build/bin/axisc" compile --quiet "$folder/x$frequency.lis" --cycle-time 1ms -o "$folder/x$frequency.axim" 2>/dev/null
+done
+"$folder/with_cxx/change_image" "$folder/x25.axim" "$folder/x40.axim" >"$folder/change.txt"
+# 20 units a cycle, and no output moves faster than by the quarter more that a change may add.
+awk '/done/ {done = 1} /largest move/ {largest = $NF} END {exit !(done && largest >= 20 && largest <= 25)}' "$folder/change.txt"
+if "$folder/with_cxx/change_image" "$folder/mill.axim" "$folder/mill.axim" >"$folder/change.txt"; then
+  echo "the mill changed over in motion" >&2
+  exit 1
+fi
+grep -q AXISRT_NEEDS_STANDSTILL "$folder/change.txt"
+
+# What `axisc export` writes links the installed runtime in C99, too.
+"$build/bin/axisc" export "$folder/mill.axim" --to c -o "$folder/exported" 2>/dev/null
+"$CC" -std=c99 -I"$(dirname "$(find "$folder/moved" -name axisrt_c.h)")" "$folder/exported/example.c" "$folder/exported/machine.c" \
+  "$(find "$folder/moved" -name libaxisrt_c.a)" -o "$folder/example"
+[ "$("$folder/example" | wc -l)" = 100 ]
 if "$folder/c_alone/filter_in_c" "$source/README.md" 2>"$folder/refused.txt"; then
   echo "a text was taken for an image" >&2
   exit 1
