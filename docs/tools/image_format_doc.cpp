@@ -1,6 +1,7 @@
 #include "docs/tools/image_format_doc.hpp"
 
 #include "design/readings.hpp"
+#include "docs/tools/bounds_text.hpp"
 
 #include <array>
 #include <initializer_list>
@@ -95,9 +96,9 @@ A signed image (`axisc sign`) has a trailer of 80 bytes after its last byte, at 
 the header does not know it, and cutting it off gives the unsigned image again. A reader without a key ignores it; it
 refuses any other bytes there.
 
-Mandatory sections are in every image, empty ones too. Critical sections are present if they have records. Optional
-sections are either all present, empty ones too, or all absent: a stripped image (`compile --strip`) has none, and fields that
-point into them are 0.
+Mandatory sections are in every image, empty ones too. Critical sections are present if they have records. Of the optional
+sections `names` to `values` are either all present, empty ones too, or all absent: a stripped image (`compile --strip`) has none
+of them, and fields that point into them are 0. `bounds` is there or not for itself.
 
 A reader finds sections by their kind. It accepts a higher minor version: unknown sections are skipped where their flags
 say optional, and records may be longer than it knows (`element_size`). It refuses an image with an unknown section
@@ -105,8 +106,8 @@ that is not optional, since the axes would move in another way without it; that 
 an image that has critical sections. It refuses another major version.
 
 Format 1.1 added the critical sections. An image without them has the bytes of format 1.0, except for the minor version.
-Format 1.2 added Vibration Guard (kernels of type 5, slots of family 3, bit 5 of a bank's keywords); readers of 1.1 refuse it.
-An image without it has the bytes and the number of format 1.1.
+Format 1.2 added Vibration Guard (kernels of type 5, slots of family 3, bit 5 of a bank's keywords), which readers of 1.1
+refuse, and the section `bounds`, which they skip. An image without both has the bytes and the number of format 1.1.
 
 )";
 
@@ -321,7 +322,8 @@ section that is not optional, counts and indices outside their section, numbers 
 100 cycles and kernels beyond 200 tail sums, unknown kinds, a cycle time of 0 or above 1 s, and proofs that cannot be true: a
 `pole_radius` outside 0 to 1, a `dc_gain` other than 1 (`direct` where the constant part is blocked), a `kernel_sum` other than 1, a
 `peak_gain` that is not above 0 or is below `dc_gain` by more than a millionth of it (in an axis the product of its filters' `dc_gain`), a negative
-`overshoot` or `tail_gain`. Slot and member of an axis name
+`overshoot` or `tail_gain`. Records of `bounds` are complete and in order, their numbers finite and not negative, `gain_low` is at
+most `gain_high`, which is not below H(1), and `radius_high` at most 1. Slot and member of an axis name
 each other, choices fit into their slot's history, a gantry slave's source has stages of its own. Where a key is set, also an
 image without a trailer and one whose signature is wrong. `runtime/include/axisrt.h` names them.
 )";
@@ -386,6 +388,7 @@ std::string image_format_document() {
   text += "## Records\n\n";
   for (RecordRow const& record : records) text += record_description(record);
   text += interpretation;
+  text += bounds_text;
   text += readings();
   return text;
 }

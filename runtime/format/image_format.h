@@ -44,6 +44,8 @@ enum {
   axim_port_interface = 1,
   axim_port_velocity = 2,
 
+  axim_bound_majorant = 1,
+
 /* axim_<record>_size */
 #define AXIM_RECORD(record, size, meaning) axim_##record##_size = (size),
 #define AXIM_FIELD(record, field, type, offset, meaning)

@@ -198,6 +198,7 @@ axisrt_status check_contents(ImageView const& view) {
         return check_each(view.filters, [&](auto filter, uint32_t) { return check_filter(view, filter); });
       },
       [&] { return check_axes_and_chains(view); }, [&] { return check_kernels(view); },
+      [&] { return check_bound_records(view); },
       [&] { return check_each(view.self_tests, [](auto sample, uint32_t) { return check_sample(sample); }); },
       [&] { return check_each(view.lists, [&](auto list, uint32_t) { return check_list(view, list); }); },
       [&] {

@@ -68,6 +68,8 @@ template <class RecordType, size_t Offset>
 
 /// Kernels, slots, groups and banks.
 [[nodiscard]] axisrt_status check_kernels(ImageView const& view);
+/// The section `bounds`: complete, in order, and possible.
+[[nodiscard]] axisrt_status check_bound_records(ImageView const& view);
 /// Improved Position Control; `next_filter` is the first filter that no chain of an axis has claimed.
 [[nodiscard]] axisrt_status check_controls(ImageView const& view, uint32_t& next_filter);
 /// Filters of one chain are consecutive, beginning at `next`, which is moved past them.

@@ -220,8 +220,8 @@ Bytes write_image(ImageRecord const& image) {
   if (image.foreign) {
     foreign.kind = image.foreign->kind;
     foreign.flags = image.foreign->flags;
-    foreign.element_size = 1;
-    foreign.count = static_cast<std::uint32_t>(image.foreign->content.size());
+    foreign.element_size = image.foreign->element_size;
+    foreign.count = static_cast<std::uint32_t>(image.foreign->content.size()) / foreign.element_size;
     foreign.content.bytes = image.foreign->content;
     parts.push_back(&foreign);
   }

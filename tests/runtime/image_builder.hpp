@@ -132,11 +132,12 @@ struct AxisRecord {
   std::vector<FilterRecord> interface_filters;
 };
 
-/// A section of a kind that this version of the format does not know.
+/// A section of a kind that this writer does not know.
 struct ForeignSection {
   std::uint32_t kind = 0;
   std::uint32_t flags = 1;
   Bytes content;
+  std::uint32_t element_size = 1;
 };
 
 struct ImageRecord {
