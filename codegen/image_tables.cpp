@@ -11,7 +11,7 @@ Range ImageTables::place_samples(SelfTest const& test) {
                            });
 }
 
-std::vector<SectionContent const*> ImageTables::contents(bool strip) const {
+std::vector<SectionContent const*> ImageTables::contents(bool strip, bool with_bounds) const {
   std::vector<SectionContent const*> sections = {&axes.content(), &filters.content(),
                                                  &coefficients.content()};
   for (SectionContent const* section :
@@ -23,6 +23,7 @@ std::vector<SectionContent const*> ImageTables::contents(bool strip) const {
     sections.insert(sections.end(),
                     {&names.content(), &self_tests.content(), &lists.content(), &values.content()});
   }
+  if (with_bounds) sections.push_back(&bounds.content());
   return sections;
 }
 

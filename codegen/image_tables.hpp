@@ -27,13 +27,14 @@ struct ImageTables {
   SectionTable<records::sample> self_tests{sections::self_tests};
   SectionTable<records::list> lists{sections::lists};
   SectionTable<records::value> values{sections::values};
+  SectionTable<records::bound> bounds{sections::bounds};
   SharedRuns<SelfTest> sample_runs;
 
   /// The samples' place; equal self-tests are stored once.
   [[nodiscard]] Range place_samples(SelfTest const& test);
   /// All sections by rising kind. Kernels, channels and position control only where there are any; names,
-  /// self-tests and source map not in a stripped image.
-  [[nodiscard]] std::vector<SectionContent const*> contents(bool strip) const;
+  /// self-tests and source map not in a stripped image; bounds where they are asked for.
+  [[nodiscard]] std::vector<SectionContent const*> contents(bool strip, bool with_bounds) const;
 };
 
 }  // namespace axisc::codegen

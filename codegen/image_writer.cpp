@@ -1,5 +1,6 @@
 #include "codegen/image_writer.hpp"
 
+#include "codegen/bound_records.hpp"
 #include "codegen/control_records.hpp"
 #include "codegen/filter_records.hpp"
 #include "codegen/image_tables.hpp"
@@ -39,17 +40,21 @@ class ImageBuilder {
       for (machine::MachineList const& list : machine_.lists) add_list(list);
       for (std::uint32_t axis = 0; axis < machine_.axes.size(); ++axis) add_values(axis);
     }
-    return assemble_image({.format_minor = format_minor(plan),
-                           .cycle_time_ns = machine_.cycle_time.nanoseconds,
-                           .axis_count = static_cast<std::uint32_t>(machine_.axes.size()),
-                           .image_version = options_.image_version,
-                           .source_digest = source_digest(machine_.lists),
-                           .compiler_version = AXISC_VERSION},
-                          tables_.contents(options_.strip));
+    ImageHeader header{.format_minor = format_minor(plan),
+                       .cycle_time_ns = machine_.cycle_time.nanoseconds,
+                       .axis_count = static_cast<std::uint32_t>(machine_.axes.size()),
+                       .image_version = options_.image_version,
+                       .source_digest = source_digest(machine_.lists),
+                       .compiler_version = AXISC_VERSION};
+    std::vector<std::byte> image = assemble_image(header, tables_.contents(options_.strip, false));
+    if (!options_.bounds) return image;
+    add_bound_records(image, tables_);
+    header.format_minor = axim_minor;
+    return assemble_image(header, tables_.contents(options_.strip, true));
   }
 
  private:
-  /// The least one whose readers execute the image.
+  /// Of an image without bounds, the least one whose readers execute it.
   [[nodiscard]] static std::uint16_t format_minor(KernelPlan const& plan) {
     constexpr std::uint16_t without_guards = 1;
     bool const has_guard = std::any_of(plan.slots.begin(), plan.slots.end(), [](PlannedSlot const& slot) {

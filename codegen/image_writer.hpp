@@ -12,6 +12,7 @@ namespace axisc::codegen {
 
 struct ImageOptions {
   bool strip = false;               ///< leave out names, source map and self-tests
+  bool bounds = false;              ///< with the section `bounds`
   std::uint32_t image_version = 0;  ///< monotonic counter of the machine's maker
 };
 

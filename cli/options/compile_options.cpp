@@ -21,6 +21,10 @@ constexpr Sentence option_depfile{
     "die gelesenen Dateien als Regel für make und ninja schreiben, eine Regel je Abbild"};
 constexpr Sentence option_strip{"leave out names, sources and self-tests, for small memories",
                                 "Namen, Quellen und Selbsttests weglassen, für kleine Speicher"};
+constexpr Sentence option_no_bounds{
+    "leave out the proved bounds that `axisc certify` checks and the runtime supervises with",
+    "die bewiesenen Schranken weglassen, die `axisc certify` prüft und mit denen das Laufzeitsystem "
+    "überwacht"};
 constexpr Sentence option_image_version{
     "version counter of the machine builder, stored in the image (default: 0)",
     "Versionszähler des Maschinenherstellers, im Abbild gespeichert (Standardwert: 0)"};
@@ -53,6 +57,7 @@ void declare(CommandLine& command_line, CompileOptions& options) {
   command_line.value("--input-folder", "FOLDER", options.input_folder, says::option_input_folder);
   command_line.value("--depfile", "FILE", options.depfile, says::option_depfile);
   command_line.flag("--strip", options.strip, says::option_strip);
+  command_line.flag("--no-bounds", options.no_bounds, says::option_no_bounds);
   command_line.value("--image-version", "N", options.image_version, says::option_image_version);
   declare_checking(command_line, options.checking);
 }
@@ -71,6 +76,7 @@ void require_sense(CommandLine const& command_line, CompileOptions const& option
 codegen::ImageOptions image_options(CompileOptions const& given) {
   codegen::ImageOptions options;
   options.strip = given.strip;
+  options.bounds = !given.no_bounds;
   if (!given.image_version) return options;
   auto const version = parse_count(*given.image_version);
   if (!version || *version > std::numeric_limits<std::uint32_t>::max()) {

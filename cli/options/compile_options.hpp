@@ -19,6 +19,7 @@ struct CompileOptions {
   std::optional<std::string> depfile;
   std::optional<std::string> image_version;
   bool strip = false;
+  bool no_bounds = false;
 
   [[nodiscard]] bool is_batch() const { return output_folder.has_value(); }
 };

@@ -5,6 +5,7 @@
 #include "axisc/answers/labels.hpp"
 #include "axisc/asked/filter_symbols.hpp"
 #include "axisc/files/key_file.hpp"
+#include "image/checked_bounds.hpp"
 #include "image/image_readings.hpp"
 #include "image/signature.hpp"
 
@@ -23,6 +24,10 @@ constexpr Sentence not_signed{"none", "keine"};
 constexpr Sentence not_checked{"Ed25519, key {key} (not checked)",
                                "Ed25519, Schlüssel {key} (nicht geprüft)"};
 constexpr Sentence valid{"Ed25519, key {key}, valid", "Ed25519, Schlüssel {key}, gültig"};
+constexpr Sentence bounds{"proved bounds", "bewiesene Schranken"};
+constexpr Sentence bound_records{"{records} records (`axisc certify` checks them)",
+                                 "{records} Datensätze (`axisc certify` prüft sie)"};
+constexpr Sentence no_bounds{"none", "keine"};
 constexpr Sentence memory{"memory", "Speicher"};
 constexpr Sentence memory_value{"{bytes}, aligned to {alignment}", "{bytes}, ausgerichtet auf {alignment}"};
 constexpr Sentence digest{"all sources", "alle Quellen"};
@@ -217,6 +222,11 @@ std::vector<Block> head(InspectQuestion const& question, ImageFile const& file) 
   } else {
     fields.push_back({"signature", says::signature, Nothing{Words(says::not_signed)}});
   }
+  auto const bound_records = image::bound_record_count(file.bytes.bytes());
+  fields.push_back(data("bound_records", bound_records ? Value(exact(*bound_records)) : Value()));
+  fields.push_back(shown(says::bounds, bound_records
+                                           ? Words(says::bound_records, {{"records", exact(*bound_records)}})
+                                           : Words(says::no_bounds)));
   if (question.level) {
     auto const bytes = image::runtime_memory(file.bytes.bytes(), *question.level);
     fields.push_back(shown(
