@@ -16,6 +16,8 @@ constexpr Sentence fmt_meaning{"align the values and comments of lists",
 constexpr Sentence compile_meaning{"check, then write a coefficient image",
                                    "prüfen, dann ein Koeffizientenabbild schreiben"};
 constexpr Sentence inspect_meaning{"show what is in an image", "zeigen, was in einem Abbild steht"};
+constexpr Sentence certify_meaning{"check and print the proved bounds of an image",
+                                   "die bewiesenen Schranken eines Abbilds prüfen und ausgeben"};
 constexpr Sentence run_meaning{"feed setpoints through an image", "Sollwerte durch ein Abbild führen"};
 constexpr Sentence response_meaning{"frequency response of an image", "Frequenzgang eines Abbilds"};
 constexpr Sentence plot_meaning{"draw what the filters do", "zeichnen, was die Filter tun"};
@@ -65,6 +67,7 @@ constexpr std::array rows = {CommandRow{"lint", says::lint_meaning, lint},
                              CommandRow{"compile", says::compile_meaning, compile},
                              CommandRow{"machine", says::machine_meaning, machine},
                              CommandRow{"inspect", says::inspect_meaning, inspect},
+                             CommandRow{"certify", says::certify_meaning, certify},
                              CommandRow{"run", says::run_meaning, run},
                              CommandRow{"response", says::response_meaning, response},
                              CommandRow{"plot", says::plot_meaning, plot},

@@ -12,6 +12,7 @@ namespace axisc::cli {
 [[nodiscard]] ExitStatus compile(Invocation const& invocation);
 [[nodiscard]] ExitStatus machine(Invocation const& invocation);
 [[nodiscard]] ExitStatus inspect(Invocation const& invocation);
+[[nodiscard]] ExitStatus certify(Invocation const& invocation);
 [[nodiscard]] ExitStatus run(Invocation const& invocation);
 [[nodiscard]] ExitStatus response(Invocation const& invocation);
 [[nodiscard]] ExitStatus compare(Invocation const& invocation);
