@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""Compiler, `axisc certify`, examples/axim_check.c and check.py agree: certificate.py AXISC SOURCES FOLDER CC [LISTS]
+
+LISTS random lists (20 unless said otherwise) are checked besides the samples.
+"""
+import os
+import random
+import re
+import struct
+import subprocess
+import sys
+
+AXISC, SOURCES, FOLDER, CC = sys.argv[1:5]
+LISTS = int(sys.argv[5]) if len(sys.argv) > 5 else 20
+EXAMPLE = os.path.join(SOURCES, "examples", "axim_check.c")
+CHECKER = os.path.join(FOLDER, "axim_check")
+SAMPLES = ("mill", "resonance/machine.json")
+failures = 0
+
+
+def run(*command):
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+def expect(holds, what, done=None):
+    global failures
+    if not holds:
+        failures += 1
+        print("FAILED:", what, (done.stdout + done.stderr)[-600:] if done else "")
+
+
+def shifted(crc):
+    for _ in range(8):
+        crc = crc >> 1 ^ (0x82F63B78 & -(crc & 1))
+    return crc
+
+
+TABLE = [shifted(octet) for octet in range(256)]
+
+
+def checksum(octets):
+    crc = 0xFFFFFFFF
+    for octet in octets:
+        crc = crc >> 8 ^ TABLE[(crc ^ octet) & 255]
+    return crc ^ 0xFFFFFFFF
+
+
+def section(image, wanted):
+    for i in range(struct.unpack_from("<I", image, 28)[0]):
+        kind, _, offset, _, _, count = struct.unpack_from("<IIQQII", image, 128 + 32 * i)
+        if kind == wanted:
+            return offset, count
+    return None
+
+
+def write(path, image):
+    end = 128 + 32 * struct.unpack_from("<I", image, 28)[0]
+    struct.pack_into("<I", image, 24, checksum(image[end:]))
+    struct.pack_into("<I", image, 12, 0)
+    struct.pack_into("<I", image, 12, checksum(image[:end]))
+    with open(path, "wb") as file:
+        file.write(image)
+
+
+def the_checker():
+    flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
+    done = run(CC, *flags, EXAMPLE, "-lm", "-o", CHECKER)
+    expect(done.returncode == 0, "axim_check.c does not compile", done)
+    with open(EXAMPLE, encoding="utf-8") as file:
+        text = file.read()
+    included = re.findall(r'#\s*include\s*([<"][^>"]*[>"])', text)
+    expect(included == ["<math.h>", "<stdint.h>", "<stdio.h>", "<stdlib.h>", "<string.h>"],
+           f"axim_check.c includes {included}")
+    expect(text.count("\n") <= 450, "axim_check.c has more than 450 lines")
+
+
+def compiled(name, source, *options):
+    path = os.path.join(FOLDER, name + ".axim")
+    if os.path.exists(path):
+        os.remove(path)
+    done = run(AXISC, "compile", source, "-o", path, *options)
+    return path if done.returncode == 0 else None
+
+
+def all_agree(path):
+    for command in ([CHECKER], [AXISC, "certify"], [sys.executable, os.path.join(SOURCES, "tests/certificate/check.py")]):
+        done = run(*command, path)
+        expect(done.returncode == 0, f"{command} {path}", done)
+
+
+def samples():
+    for sample in SAMPLES:
+        name = sample.replace("/", "-")
+        path = compiled(name, os.path.join(SOURCES, "samples", sample))
+        expect(path is not None, f"samples/{sample} is not compiled")
+        all_agree(path)
+    source = os.path.join(SOURCES, "samples", "mill")
+    stripped = compiled("stripped", source, "--strip")
+    all_agree(stripped)
+    expect(section(open(stripped, "rb").read(), 20)[1] == 17, "a stripped image of the mill has not 17 records")
+    without = compiled("without", source, "--no-bounds")
+    expect(run(CHECKER, without).returncode == 2, "an image without bounds is not said to be unreadable")
+    done = run(AXISC, "certify", without)
+    expect(done.returncode == 0 and "claims no bounds" in done.stdout, "certify without bounds", done)
+
+
+def random_list(draw):
+    lines = ["kopf.achs_nr 1", "kopf.log_achs_name X", "kenngr.achs_typ 1",
+             f"getriebe[0].dynamik.vb_max {draw.randint(1000, 900000)}", "getriebe[0].dynamik.a_max 3000"]
+    for i in range(draw.randint(1, 3)):
+        kind = draw.choice(["LOWPASS", "HIGHPASS", "BANDPASS", "BANDSTOP", "PT1", "PT2", "ALLPASS", "TIME_DELAY"])
+        lines += [f"filter[{i}].type {kind}", f"filter[{i}].enable 1",
+                  f"filter[{i}].fg_f0 {10 ** draw.uniform(0.4, 2.6):.4g}",
+                  f"filter[{i}].order {draw.randint(1, 3)}", f"filter[{i}].guete {10 ** draw.uniform(-0.3, 1):.3g}",
+                  f"filter[{i}].prototype {draw.randint(1, 3)}",
+                  f"filter[{i}].time_constant {draw.randint(1000, 50000)}",
+                  f"filter[{i}].share_percent {draw.choice([100, 100, draw.randint(1, 99)])}"]
+    if draw.random() < 0.5:
+        lines += ["filter_fir.enable 1", f"filter_fir.type {draw.randint(0, 2)}",
+                  f"filter_fir.order {draw.randint(2, 120)}"]
+    return "\n".join(lines) + "\nEnde\n"
+
+
+def random_lists():
+    draw = random.Random(20261127)
+    found = 0
+    for attempt in range(6 * LISTS):
+        if found == LISTS:
+            return
+        path = os.path.join(FOLDER, "random.lis")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(random_list(draw))
+        image = compiled("random", path, "--quiet", "--cycle-time", draw.choice(["1ms", "500us", "2ms"]))
+        if image:
+            found += 1
+            all_agree(image)
+    expect(False, f"only {found} of {LISTS} random lists were compiled")
+
+
+def mutations():
+    # A stripped image is short, and checksums cost time here.
+    with open(os.path.join(FOLDER, "stripped.axim"), "rb") as file:
+        right = bytearray(file.read())
+    path = os.path.join(FOLDER, "changed.axim")
+    first, count = section(right, 20)
+    cases = 0
+    for index in range(count):
+        for field in range(24, 112, 8):
+            at = first + 128 * index + field
+            image = bytearray(right)
+            if field == 96:
+                struct.pack_into("<Q", image, at, struct.unpack_from("<Q", image, at)[0] - 1)
+            else:
+                value = struct.unpack_from("<d", image, at)[0]
+                if value == 0:
+                    continue
+                struct.pack_into("<d", image, at, value * (1 + (1 if field == 24 else -1) * 2.0**-38))
+            write(path, image)
+            cases += 1
+            expect(run(CHECKER, path).returncode == 1, f"record {index}, field at {field} is not refused")
+        for field in range(0, 24, 4):
+            image = bytearray(right)
+            struct.pack_into("<I", image, first + 128 * index + field,
+                             struct.unpack_from("<I", image, first + 128 * index + field)[0] ^ 1)
+            write(path, image)
+            cases += 1
+            expect(run(CHECKER, path).returncode == 1, f"record {index}, number at {field} is not refused")
+    image = bytearray(right)
+    banks, _ = section(image, 9)
+    struct.pack_into("<I", image, banks + 64 + 36, 20)
+    write(path, image)
+    done = run(CHECKER, path)
+    expect(done.returncode == 1 and "change of kernels" in done.stdout, "a fade that is too short", done)
+    done = run(AXISC, "certify", path)
+    expect(done.returncode == 1, "certify and a fade that is too short", done)
+    print(f"{cases} mutations")
+
+
+def main():
+    the_checker()
+    samples()
+    random_lists()
+    mutations()
+    print("certificates:", "FAILED" if failures else "all agree")
+    return 1 if failures else 0
+
+
+sys.exit(main())
