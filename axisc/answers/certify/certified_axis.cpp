@@ -42,6 +42,8 @@ constexpr Sentence too_rough{"FALSE: in motion they add up to {velocity} and {ac
 constexpr Sentence supervision{"supervision", "Überwachung"};
 constexpr Sentence implausible{"IMPLAUSIBLE above {limit}; never with setpoints within {velocity}",
                                "IMPLAUSIBLE über {limit}; nie mit Sollwerten innerhalb von {velocity}"};
+constexpr Sentence unfiltered{"no filter: setpoints pass unchanged",
+                              "kein Filter: Sollwerte gehen unverändert durch"};
 constexpr Sentence chain{"chain", "Kette"};
 constexpr Sentence setpoints{"setpoints", "Sollwerte"};
 constexpr Sentence with_kernel{"setpoints, kernel {kernel}", "Sollwerte, Kern {kernel}"};
@@ -220,6 +222,7 @@ Section certified_axis(image::ImageContents const& image, std::size_t axis,
                   .title = Words(labels::one_axis, {{"axis", axis_label(image, axis)}}),
                   .blocks = {},
                   .identity = {data("name", axis_label(image, axis))}};
+  if (table.rows.empty()) section.blocks.emplace_back(Paragraph{says::unfiltered});
   if (alone != nullptr) section.blocks.emplace_back(sentences(image, axis, *alone, largest_gain, checked));
   section.blocks.emplace_back(
       data_section("changes", {data("velocity_share", exact(change.bound.velocity)),

@@ -31,13 +31,13 @@ std::size_t bounds_at(std::string const& image) {
   return 0;
 }
 
-/// The image with a gain that is smaller by 2^-38.
-std::string with_wrong_gain(std::string image) {
-  std::size_t const at = bounds_at(image) + 32;
-  double gain = 0;
-  std::memcpy(&gain, &image.at(at), sizeof gain);
-  gain *= 1 - 0x1p-38;
-  std::memcpy(&image.at(at), &gain, sizeof gain);
+/// The image with a distance that is smaller by 2^-38.
+std::string with_wrong_distance(std::string image) {
+  std::size_t const at = bounds_at(image) + 48;
+  double distance = 0;
+  std::memcpy(&distance, &image.at(at), sizeof distance);
+  distance *= 1 - 0x1p-38;
+  std::memcpy(&image.at(at), &distance, sizeof distance);
   std::size_t const end = 128 + 32 * std::size_t{number_at(image, 28)};
   put_checksum(image, 24, end, image.size() - end);
   put_checksum(image, 12, 0, end);
@@ -51,14 +51,14 @@ TEST_CASE("certify says what holds for every setpoint, and that the image claims
   auto const there = compiled(folder);
   auto const text = run_axisc({"certify", "m.axim"}, there);
   CHECK(text.status == 0);
-  for (std::string const part : {"SHA-256", "poles within 0.", "no setpoint is amplified more than 1.",
+  for (std::string const part : {"SHA-256", "poles within 0.", "no setpoint is amplified more than 1 ",
                                  "IMPLAUSIBLE above", "for good", "Verified: ", "Not covered: the drive"}) {
     CHECK_THAT(text.out, Contains(part));
   }
   CHECK_THAT(text.out, !Contains("safe"));
   auto const german = run_axisc({"certify", "m.axim", "--lang", "de"}, there);
-  for (std::string const part : {"Pole innerhalb von 0,", "kein Sollwert wird mehr als 1,",
-                                 "exakt und dauerhaft", "Bestätigt: ", "Nicht abgedeckt: der Antrieb"}) {
+  for (std::string const part : {"Pole innerhalb von 0,", "kein Sollwert wird mehr als 1-fach",
+                                 "Ausgang == Sollwert", "Bestätigt: ", "Nicht abgedeckt: der Antrieb"}) {
     CHECK_THAT(german.out, Contains(part));
   }
   for (std::string const format : {"html", "markdown", "csv"}) {
@@ -85,16 +85,16 @@ TEST_CASE("certify in JSON has every field of the records") {
 TEST_CASE("a claim that is not true is named, and the exit status is 1") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);
-  folder.write("wrong.axim", with_wrong_gain(folder.read("m.axim")));
+  folder.write("wrong.axim", with_wrong_distance(folder.read("m.axim")));
   auto const text = run_axisc({"certify", "wrong.axim"}, there);
   CHECK(text.status == 1);
-  CHECK_THAT(text.out, Contains("FALSE: gain_high"));
+  CHECK_THAT(text.out, Contains("FALSE: distance_high"));
   CHECK_THAT(text.out, Contains("NOT TRUE: 1;"));
   auto const json =
       nlohmann::json::parse(run_axisc({"certify", "wrong.axim", "--format", "json"}, there).out);
   CHECK(json.at("verified") == false);
   CHECK(json.at("failures") == 1);
-  CHECK(json.at("axes").at(0).at("records").at(0).at("false_field") == "gain_high");
+  CHECK(json.at("axes").at(0).at("records").at(0).at("false_field") == "distance_high");
   // The claims of all axes decide, whichever is shown.
   CHECK(run_axisc({"certify", "wrong.axim", "--axis", "Y"}, there).status == 1);
 }
