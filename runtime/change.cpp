@@ -38,6 +38,11 @@ uint32_t fade_cycles(double distance, double velocity, double acceleration) {
   return 0;
 }
 
+/// What an image proves for kernel and filters together is sharper than the computed sum of both.
+double distance_of(Axis const& axis, StepDistance const& computed) {
+  return axis.distance >= 0 ? axis.distance : computed.sum;
+}
+
 /// How long the change must take, and how long the new runtime must have run along with the old one before.
 void plan(axisrt const& active, axisrt const& prepared, Change& change) {
   change.length = 1;
@@ -48,8 +53,8 @@ void plan(axisrt const& active, axisrt const& prepared, Change& change) {
     double const velocity = smaller(active.axes[i].velocity_limit, prepared.axes[i].velocity_limit);
     double const acceleration =
         smaller(active.axes[i].acceleration_limit, prepared.axes[i].acceleration_limit);
-    uint32_t const cycles =
-        a.is_bounded && b.is_bounded ? fade_cycles(a.sum + b.sum, velocity, acceleration) : 0;
+    double const distance = distance_of(active.axes[i], a) + distance_of(prepared.axes[i], b);
+    uint32_t const cycles = a.is_bounded && b.is_bounded ? fade_cycles(distance, velocity, acceleration) : 0;
     if (cycles == 0 || cycles > change.length) change.length = cycles;
     if (b.settling > change.warm_up) change.warm_up = b.settling;
   }

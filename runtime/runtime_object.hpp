@@ -19,6 +19,7 @@ struct Axis {
   double position_window;
   double velocity_limit;      ///< units per cycle
   double acceleration_limit;  ///< units per cycle and cycle
+  double distance;  ///< proved bound of the sum of |s - 1| with any kernel; below 0 where the image has none
 };
 
 enum class FilterKind : uint32_t { pass_through, passing, shared, blocking, delay };

@@ -16,6 +16,7 @@ const char* axisrt_status_text(axisrt_status status) {
     case AXISRT_UNKNOWN_KIND: return "The image contains a kind of content that this runtime does not know.";
     case AXISRT_INCONSISTENT_CYCLE: return "The image's cycle time is not between 1 ns and 1 s.";
     case AXISRT_MISALIGNED: return "The image or the memory is not aligned to 64 bytes.";
+    case AXISRT_BOUND_FAILED: return "The image claims a bound that does not follow from its coefficients.";
     case AXISRT_OTHER_CYCLE_TIME: return "The image was made for another NC cycle time.";
     case AXISRT_SELF_TEST_FAILED: return "This processor does not compute what the image demands.";
     case AXISRT_MEMORY_TOO_SMALL: return "The memory is smaller than axisrt_memory_size demands.";
@@ -57,6 +58,7 @@ const char* axisrt_status_name(axisrt_status status) {
     case AXISRT_UNKNOWN_KIND: return "AXISRT_UNKNOWN_KIND";
     case AXISRT_INCONSISTENT_CYCLE: return "AXISRT_INCONSISTENT_CYCLE";
     case AXISRT_MISALIGNED: return "AXISRT_MISALIGNED";
+    case AXISRT_BOUND_FAILED: return "AXISRT_BOUND_FAILED";
     case AXISRT_OTHER_CYCLE_TIME: return "AXISRT_OTHER_CYCLE_TIME";
     case AXISRT_SELF_TEST_FAILED: return "AXISRT_SELF_TEST_FAILED";
     case AXISRT_MEMORY_TOO_SMALL: return "AXISRT_MEMORY_TOO_SMALL";

@@ -46,6 +46,7 @@ typedef enum axisrt_status {
   AXISRT_UNKNOWN_KIND = 11,       /* a filter, port, axis type or mandatory section of unknown kind */
   AXISRT_INCONSISTENT_CYCLE = 12, /* cycle time zero or beyond 1 s */
   AXISRT_MISALIGNED = 13,         /* image or memory is not aligned to 64 bytes */
+  AXISRT_BOUND_FAILED = 14,       /* axisrt_check_bounds: a claim is not true, or cannot be checked */
 
   /* axisrt_create. */
   AXISRT_OTHER_CYCLE_TIME = 20, /* the image was made for another NC cycle time */
@@ -98,6 +99,16 @@ uint32_t axisrt_abi_version(void);
  * Returns AXISRT_OK, one of the image's statuses, or AXISRT_BAD_ARGUMENT for a null pointer.
  * Cost: one pass for the checksum, one over the content. Not in the cycle. */
 axisrt_status axisrt_verify(const void* image, size_t size);
+
+/* Computes the bounds of an image (its section `bounds`, docs/certificate.md) again from its coefficients and
+ * compares them with what it claims: gains, overshoot, poles, rounding, states, cycles to rest, and the
+ * changes of kernels. axisrt_verify only checks that they are possible. `record` receives the first record
+ * that fails, or how many hold. A record that claims more than `most_cycles` cycles fails without being
+ * computed, so that the caller decides about the time; 2^22 allows all.
+ * Returns AXISRT_OK if every record holds, AXISRT_BOUND_FAILED (also for an image without that section),
+ * AXISRT_BAD_ARGUMENT, or what axisrt_verify returns.
+ * Cost: for each record its cycles, some 10 to 100 ns for each section; 16 KiB of stack. Not in the cycle. */
+axisrt_status axisrt_check_bounds(const void* image, size_t size, uint32_t most_cycles, uint32_t* record);
 
 /* Instruction sets. Each computes the same filters within the accuracy that axisrt_step states; only PORTABLE
  * gives the same bits on every processor (the others differ in the last place where they contract
@@ -200,18 +211,22 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
  * where setpoints jump back and forth, and vanishes next to the others in a move. From 1e-6/T on and up to
  * 0.475/T the last terms are 2^-38 D + 2^-32 d. This is measured, not proved: setpoints whose last digits are
  * chosen so that all roundings push the same way exceed it, narrow filters of 1e-4/T by up to 13 times (5e-6
- * units at an amplitude of 1e6). No bound for every setpoint is stated yet. At rest a chain with DC gain 1
- * ends at out == in, exactly and for good.
+ * units at an amplitude of 1e6). The bound for every setpoint, from the section `bounds` of the image
+ * (docs/certificate.md), is half an ulp of out, and rounding_increment times the largest move of a setpoint
+ * in a cycle. At rest a chain with DC gain 1 ends at out == in, exactly and for good; after how many cycles,
+ * rest_cycles says.
  * Cost: constant for a given image, whatever the values are; while kernels change over (axisrt_command), that
  * of one kernel more for each axis that does. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
 
 /* The limit beyond which axisrt_step calls an output implausible, for axes whose list gives P-AXIS-00212 (v
- * per cycle): with P the largest peak gain of the axis' chain with any kernel of the image (as the image
- * states it, an upper bound), an output that moves by more than (P + 1/4) v in one cycle. Setpoints that stay
- * within v never cause it, not in a change of kernels or of images either, where v is not so small that the
- * last digits of positions count (positions below 2^40 v); a reset does not count. Images of axisc 0.2.0 and
- * before may state too little for filters whose characteristic frequency is below some millionths of 1/T. */
+ * per cycle): with P the largest gain_high of the axis' chain with any kernel that its slot can execute, from
+ * the section `bounds`; without that section the largest product of peak gains of the chain and any kernel of
+ * the image (as the image states them, upper bounds): an output that moves by more than (P + 1/4) v in one
+ * cycle. Setpoints that stay within v never cause it, not in a change of kernels or of images either, where v
+ * is not so small that the last digits of positions count (positions below 2^40 v); a reset does not count.
+ * Images of axisc 0.2.0 and before may state too little for filters whose characteristic frequency is below
+ * some millionths of 1/T. */
 
 /* How far the filters of an axis take it away from its commanded path where its velocity changes by
  * `velocity` (um/s or 1e-3 degree/s) from one cycle to the next, as in a corner: the largest distance, in the
@@ -331,6 +346,8 @@ uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
  * returns, AXISRT_OTHER_AXES, AXISRT_OLDER_IMAGE, or AXISRT_BUSY while `active` itself is still replacing
  * another. `prepared` may get commands; it begins with the lists' values. Prepare again after axisrt_rebase,
  * and after axisrt_reset of an axis that was reset before.
+ * How far a chain takes its output from the setpoint is distance_high of the section `bounds`, or computed
+ * where an image has none.
  * Cost: axisrt_create, and the step responses of all chains of both images (at most 2^21 cycles each). Not in
  * the cycle. */
 axisrt_status axisrt_prepare(axisrt* active, const axisrt_config* config, uint32_t options,
