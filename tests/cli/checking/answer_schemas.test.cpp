@@ -64,11 +64,12 @@ TEST_CASE("every schema is printed, as it is published") {
     CHECK(outcome.status == 0);
     CHECK(outcome.out == read_source_file("docs/schemas/" + file));
   }
-  CHECK(count == 14);
+  CHECK(count == 15);
   auto const refused = run_axisc({"schema", "list"});
   CHECK(refused.status == 2);
   CHECK(refused.err ==
-        "axisc: error: axisc schema does not know \"list\"; choose from compare, contour, diff, explain, "
+        "axisc: error: axisc schema does not know \"list\"; choose from certify, compare, contour, diff, "
+        "explain, "
         "finding, "
         "inspect, machine, plant, replay, response, schema, settings, simulate, suggest\n");
   CHECK(run_axisc({"schema"}).status == 2);
