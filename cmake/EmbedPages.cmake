@@ -2,7 +2,8 @@
 #
 #   axisc_embed_pages(target namespace header PAGE...)
 #       defines `std::span<Page const> page_table()` of the namespace, which the header declares. The paths
-#       alternate: en.md, then de.md of the same page.
+#       alternate: en.md, then de.md of the same page. A heading in the first line is no part of the page; if
+#       the first one has it, all must, and `page_title_table()` is defined as well.
 #
 # The same file, run as a script, writes the source:
 #   cmake -DLIST=… -DSPACE=… -DHEADER=… -DOUTPUT=… -P EmbedPages.cmake
@@ -26,10 +27,17 @@ set(AXISC_PAGE_LIMIT 60000)
 
 function(axisc_write_pages pages space header output)
   set(rows "")
+  set(titles "")
   foreach(path IN LISTS pages)
     file(READ "${path}" text)
-    # The heading repeats what the program knows: a rule's code and name.
-    string(REGEX REPLACE "^# [^\n]*\n+" "" text "${text}")
+    set(title "")
+    if(text MATCHES "^# ([^\n]*)\n")
+      set(title "${CMAKE_MATCH_1}")
+      string(REGEX REPLACE "^# [^\n]*\n+" "" text "${text}")
+    endif()
+    if(NOT rows STREQUAL "" AND ((title STREQUAL "" AND NOT titles STREQUAL "") OR (NOT title STREQUAL "" AND titles STREQUAL "")))
+      message(FATAL_ERROR "${path}: its first line must be a heading like those of the other pages: # Title")
+    endif()
     string(LENGTH "${text}" length)
     if(length GREATER AXISC_PAGE_LIMIT)
       message(FATAL_ERROR "${path} is longer than ${AXISC_PAGE_LIMIT} bytes")
@@ -37,10 +45,28 @@ function(axisc_write_pages pages space header output)
     set(literal "R\"axisc_page(${text})axisc_page\"")
     if(path MATCHES "/en\\.md$")
       string(APPEND rows "    {${literal}")
+      set(begin "    {")
+      set(end "")
     else()
       string(APPEND rows ",\n     ${literal}},\n")
+      set(begin ", ")
+      set(end "},\n")
+    endif()
+    if(NOT title STREQUAL "")
+      string(APPEND titles "${begin}R\"axisc_page(${title})axisc_page\"${end}")
     endif()
   endforeach()
+  set(title_array "")
+  set(title_function "")
+  if(NOT titles STREQUAL "")
+    set(title_array "
+constexpr auto titles = std::to_array<Page>({
+${titles}});
+")
+    set(title_function "
+std::span<Page const> page_title_table() { return titles; }
+")
+  endif()
 
   file(WRITE "${output}" "// Written by cmake/EmbedPages.cmake.
 #include \"${header}\"
@@ -52,11 +78,11 @@ namespace {
 
 constexpr auto pages = std::to_array<Page>({
 ${rows}});
-
+${title_array}
 }  // namespace
 
 std::span<Page const> page_table() { return pages; }
-
+${title_function}
 }  // namespace ${space}
 ")
 endfunction()

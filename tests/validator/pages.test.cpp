@@ -3,8 +3,10 @@
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/engine/rule_title.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 using namespace axisc;
@@ -40,4 +42,38 @@ TEST_CASE("every page file is embedded as it is, without its heading") {
     CHECK(valid_utf8_prefix(page.english) == page.english.size());
     CHECK(valid_utf8_prefix(page.german) == page.german.size());
   }
+}
+
+TEST_CASE("every rule has a title of its own in both languages: the heading of its pages") {
+  std::set<std::string_view> english;
+  std::set<std::string_view> german;
+  for (validator::Rule const& rule : validator::rules()) {
+    std::string const folder = "validator/rules/" + code_text(rule.code) + "-" + std::string(rule.name) + "/";
+    INFO(folder);
+    Page const& title = validator::title(rule);
+    auto const begins = [&](std::string const& file, std::string_view heading) {
+      return test::read_source_file(folder + file).starts_with("# " + std::string(heading) + "\n\n");
+    };
+    CHECK(begins("en.md", title.english));
+    CHECK(begins("de.md", title.german));
+    CHECK(english.insert(title.english).second);
+    CHECK(german.insert(title.german).second);
+  }
+}
+
+TEST_CASE("rules about filters name the sections of the manuals") {
+  auto const sections = [](std::uint16_t code) {
+    std::vector<std::string> names;
+    for (auto const& section : validator::manual_sections(*validator::find_rule(Code{code}))) {
+      names.emplace_back(section.english);
+    }
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(sections(3005) == Names{"Axis filters, section 3.2", "Axis filters, section 3.3"});
+  CHECK(sections(3022) == Names{"FIR filters, section 6.2"});
+  CHECK(sections(5002) == Names{"FIR filters, section 5"});
+  CHECK(sections(3031) == Names{"Improved Position Control, section 4.2"});
+  CHECK(sections(1005).empty());
+  CHECK(sections(2005).empty());
 }

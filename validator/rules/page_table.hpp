@@ -10,5 +10,7 @@ namespace axisc::validator {
 
 /// One page per rule, in the order of the codes.
 [[nodiscard]] std::span<Page const> page_table();
+/// Their headings, in the same order.
+[[nodiscard]] std::span<Page const> page_title_table();
 
 }  // namespace axisc::validator
