@@ -1,9 +1,11 @@
-// axisc_schema_generator DATA DESCRIPTIONS OTHER_LISTS TABLES VOCABULARY DESCRIPTION_TABLES KIND_TABLES
+// axisc_schema_generator DATA DESCRIPTIONS OTHER_LISTS MESSAGES LOOKUP
+//                        TABLES VOCABULARY DESCRIPTION_TABLES KIND_TABLES LOOKUP_TABLES
 //
-// Turns axis-parameters.json, axis-descriptions.json and other-lists.json into constant tables while
-// building. Exit status 1 and one line per mistake when the data is wrong.
+// Turns axis-parameters.json, axis-descriptions.json, other-lists.json, control-messages.json and lookup.json
+// into constant tables while building. Exit status 1 and one line per mistake when the data is wrong.
 #include "schema/generator/catalogue_data.hpp"
 #include "schema/generator/description_writer.hpp"
+#include "schema/generator/lookup_writer.hpp"
 #include "schema/generator/table_writer.hpp"
 
 #include <exception>
@@ -32,9 +34,9 @@ void write_file(std::string const& path, std::string const& text) {
 
 int main(int argc, char* argv[]) {
   std::vector<std::string> const arguments(argv, argv + argc);
-  if (arguments.size() != 8) {
-    std::cerr << "usage: axisc_schema_generator DATA DESCRIPTIONS OTHER_LISTS TABLES VOCABULARY "
-                 "DESCRIPTION_TABLES KIND_TABLES\n";
+  if (arguments.size() != 11) {
+    std::cerr << "usage: axisc_schema_generator DATA DESCRIPTIONS OTHER_LISTS MESSAGES LOOKUP TABLES "
+                 "VOCABULARY DESCRIPTION_TABLES KIND_TABLES LOOKUP_TABLES\n";
     return 2;
   }
   try {
@@ -42,10 +44,13 @@ int main(int argc, char* argv[]) {
     auto const descriptions =
         axisc::schema::generator::write_descriptions(parameters, read_file(arguments[2]));
     auto const kinds = axisc::schema::generator::read_kinds(read_file(arguments[3]));
-    write_file(arguments[4], axisc::schema::generator::write_tables(parameters));
-    write_file(arguments[5], axisc::schema::generator::write_vocabulary(parameters));
-    write_file(arguments[6], descriptions);
-    write_file(arguments[7], axisc::schema::generator::write_kinds(kinds, parameters));
+    auto const lookup =
+        axisc::schema::generator::write_lookup(parameters, read_file(arguments[4]), read_file(arguments[5]));
+    write_file(arguments[6], axisc::schema::generator::write_tables(parameters));
+    write_file(arguments[7], axisc::schema::generator::write_vocabulary(parameters));
+    write_file(arguments[8], descriptions);
+    write_file(arguments[9], axisc::schema::generator::write_kinds(kinds, parameters));
+    write_file(arguments[10], lookup);
   } catch (std::exception const& error) {
     std::cerr << arguments[1] << ":\n" << error.what() << '\n';
     return 1;

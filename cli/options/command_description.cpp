@@ -13,7 +13,7 @@ struct Placeholder {
 };
 
 /// The placeholders that differ between the languages.
-constexpr std::array<Placeholder, 26> placeholders = {{
+constexpr std::array<Placeholder, 27> placeholders = {{
     {"AXIS", "ACHSE"},
     {"COLUMN", "SPALTE"},
     {"COMMAND", "BEFEHL"},
@@ -27,7 +27,6 @@ constexpr std::array<Placeholder, 26> placeholders = {{
     {"KEY", "SCHLÜSSEL"},
     {"KIND", "ART"},
     {"MACHINE", "MASCHINE"},
-    {"MESSAGE", "MELDUNG"},
     {"MM_PER_MIN", "MM_JE_MIN"},
     {"NEW", "NEU"},
     {"OLD", "ALT"},
@@ -39,7 +38,9 @@ constexpr std::array<Placeholder, 26> placeholders = {{
     {"RECORDING", "AUFZEICHNUNG"},
     {"SIZE", "GRÖSSE"},
     {"TIME", "ZEIT"},
+    {"VALUE", "WERT"},
     {"WORD", "WORT"},
+    {"WORDS", "WÖRTER"},
 }};
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "editor/capabilities/symbols.hpp"
 
+#include "axisc/answers/explain/search.hpp"
 #include "diagnostics/ascii.hpp"
 #include "editor/reading/open_machines.hpp"
 #include "editor/reading/places.hpp"
@@ -8,7 +9,11 @@
 #include "validator/views/units_text.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -25,6 +30,22 @@ std::string summary(std::string_view key, std::string_view value, Language langu
   auto const number = schema::read_real(value);
   return number.status == schema::NumberStatus::good ? validator::physical(number.number, "Hz").in(language)
                                                      : "";
+}
+
+/// The parameters that the query means, as `axisc explain` finds them: by name, by people's words, with a
+/// typing error; for a topic such as "notch filter" those that it refers to.
+std::set<std::string_view> meant_parameters(schema::Catalogue const& of_axes, std::string const& query) {
+  std::vector const catalogues{of_axes};
+  std::set<std::string_view> names;
+  for (auto const& hit : search(catalogues, query)) {
+    if (hit.likeness > Likeness::slip) break;
+    if (auto const* const parameter = std::get_if<schema::Parameter const*>(&hit.subject)) {
+      names.insert((*parameter)->name);
+    } else if (auto const* const topic = std::get_if<schema::Topic const*>(&hit.subject)) {
+      names.insert((*topic)->see.begin(), (*topic)->see.end());
+    }
+  }
+  return names;
 }
 
 }  // namespace
@@ -72,6 +93,7 @@ Json symbols(OpenMachines& machines, Json const& params) {
 }
 
 Json workspace_symbols(OpenMachines& machines, Json const& params) {
+  constexpr std::size_t shortest_name = 2;
   auto const query = params.value("query", std::string());
   auto found = Json::array();
   std::set<std::string> inputs;
@@ -95,6 +117,21 @@ Json workspace_symbols(OpenMachines& machines, Json const& params) {
       add(axis.name, SymbolKind::object, reading.sources()[machine.lists[axis.list].list.source].name());
     }
     for (auto const& group : machine.groups) add(group.name, SymbolKind::property, path);
+    if (query.size() < shortest_name || machine.axes.empty()) continue;
+    Places const places(reading.sources(), reading.files(), machines.encoding());
+    auto const names = meant_parameters(machine.axes.front().merged.values.catalogue(), query);
+    for (auto const& axis : machine.axes) {
+      for (auto const* const value : axis.merged.values.set_values()) {
+        if (!names.contains(value->row->name) || !value->name_place()) continue;
+        auto const name = axis.name + ": " + validator::parameter_name(*value);
+        // Editors show a symbol only if its name resembles the query.
+        bool const has_query = ascii::lower_case(name).find(ascii::lower_case(query)) != std::string::npos;
+        found.push_back({{"name", has_query ? name : name + " (" + query + ")"},
+                         {"kind", static_cast<int>(SymbolKind::property)},
+                         {"containerName", std::string(validator::file_name(path))},
+                         {"location", places.location(*value->name_place())}});
+      }
+    }
   }
   return found;
 }

@@ -1,4 +1,5 @@
-// Symbols: the outline of a list, and the axes and channels of all open machines.
+// Symbols: the outline of a list; the axes and channels of all open machines, and the lines that set a
+// parameter, which is found as `axisc explain` finds it: "Kv", "Kerbfilter".
 #pragma once
 
 #include "editor/capabilities/capability.hpp"

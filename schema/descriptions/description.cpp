@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <span>
 
@@ -77,8 +78,13 @@ Page manual_section(Parameter const& parameter) {
 Description description_of(Parameter const& parameter) {
   if (parameter.kind != ListKind::axis) return {};
   auto const rows = parameters();
-  auto const found = std::find_if(rows.begin(), rows.end(),
-                                  [&](Parameter const& row) { return row.name == parameter.name; });
+  // Rows of schema files lie elsewhere.
+  bool const is_built_in = std::greater_equal<>{}(&parameter, rows.data()) &&
+                           std::less<>{}(&parameter, rows.data() + rows.size());
+  auto const found = is_built_in ? rows.begin() + (&parameter - rows.data())
+                                 : std::find_if(rows.begin(), rows.end(), [&](Parameter const& row) {
+                                     return row.name == parameter.name;
+                                   });
   if (found == rows.end()) return {};
   DescriptionRow const& row = description_table[std::distance(rows.begin(), found)];
   Description description{.what = page(row.what),

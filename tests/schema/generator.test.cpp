@@ -34,8 +34,14 @@ struct Outcome {
 std::string const any_descriptions =
     R"({"parameters": [], "families": [{"prefix": "", "what": {"en": "e", "de": "d"}}]})";
 
-Outcome generate(std::string const& data, std::string const& descriptions = any_descriptions) {
+std::string const no_messages = R"({"messages": []})";
+std::string const no_lookup = R"({"topics": [], "synonyms": []})";
+
+Outcome generate(std::string const& data, std::string const& descriptions = any_descriptions,
+                 std::string const& messages = no_messages, std::string const& lookup = no_lookup) {
   auto const folder = working_folder();
+  std::ofstream(folder / "messages.json", std::ios::binary) << messages;
+  std::ofstream(folder / "lookup.json", std::ios::binary) << lookup;
   std::ofstream(folder / "descriptions.json", std::ios::binary) << descriptions;
   std::ofstream(folder / "data.json", std::ios::binary) << data;
   std::filesystem::remove(folder / "tables.inc");
@@ -43,9 +49,10 @@ Outcome generate(std::string const& data, std::string const& descriptions = any_
   std::string const command =
       quote + AXISC_SCHEMA_GENERATOR + "\" \"" + (folder / "data.json").string() + "\" \"" +
       (folder / "descriptions.json").string() + "\" \"" + AXISC_SOURCE_DIR + "/schema/other-lists.json\" \"" +
+      (folder / "messages.json").string() + "\" \"" + (folder / "lookup.json").string() + "\" \"" +
       (folder / "tables.inc").string() + "\" \"" + (folder / "vocabulary.inc").string() + "\" \"" +
       (folder / "description_tables.inc").string() + "\" \"" + (folder / "kind_tables.inc").string() +
-      "\" 2> \"" + (folder / "message").string() + quote;
+      "\" \"" + (folder / "lookup_tables.inc").string() + "\" 2> \"" + (folder / "message").string() + quote;
   bool const accepted = std::system(command.c_str()) == 0;  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
   return {accepted, read(folder / "message"), read(folder / "tables.inc")};
 }
@@ -121,6 +128,29 @@ TEST_CASE("a description needs a parameter, a parameter a description, both in t
       contains(described(R"({"name": "b", "what": {"en": "e", "de": "d"}})").message, "b: there is no such"));
   CHECK(contains(described(R"({"name": "a", "what": {"en": "e"}})").message, "a: a text is missing"));
   CHECK(contains(described(R"({"name": "a"})").message, "descriptions: "));
+}
+
+TEST_CASE("messages and topics name what exists, once, in both languages") {
+  auto const data = document(R"({"name": "a.b", "type": "UNS08"})");
+  auto const messages = [&](std::string const& rows) {
+    return generate(data, any_descriptions, R"({"messages": [)" + rows + "]}").message;
+  };
+  std::string const good = R"({"numbers": [1], "meaning": {"en": "e", "de": "d"}, "parameters": ["a.b"]})";
+  CHECK(messages(good).empty());
+  CHECK(contains(messages(good + "," + good), "1: this message is there twice"));
+  CHECK(contains(messages(R"({"numbers": [1], "meaning": {"en": "e"}})"), "1: a text is missing"));
+  CHECK(contains(messages(R"({"numbers": [1], "meaning": {"en": "e", "de": "d"}, "parameters": ["c"]})"),
+                 "1: there is no parameter c"));
+  auto const synonyms = [&](std::string const& rows) {
+    return generate(data, any_descriptions, no_messages, R"({"topics": [], "synonyms": [)" + rows + "]}")
+        .message;
+  };
+  std::string const words = R"({"of": "a.b", "words": {"en": ["x"], "de": ["x", "y"]}})";
+  CHECK(synonyms(words).empty());
+  CHECK(contains(synonyms(words + "," + words), "a.b: its words are there twice"));
+  CHECK(contains(synonyms(R"({"of": "a.c", "words": {"en": [], "de": []}})"), "a.c: there is no such"));
+  CHECK(
+      contains(synonyms(R"({"of": "a.b", "words": {"en": ["x", "x"], "de": []}})"), "\"x\" is there twice"));
 }
 
 }  // namespace

@@ -1,27 +1,25 @@
 #include "axisc/answers/explain/explain_answer.hpp"
 
+#include "axisc/answers/explain/explain_parts.hpp"
 #include "axisc/answers/explain/explain_subject.hpp"
 #include "axisc/answers/labels.hpp"
-#include "diagnostics/location.hpp"
-#include "diagnostics/sentences.hpp"
-#include "schema/descriptions/description.hpp"
+#include "diagnostics/finding.hpp"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace axisc::says {
 
-constexpr Sentence severity_and_control{"{severity}, {control}: {messages}",
-                                        "{severity}, {control}: {messages}"};
 constexpr Sentence rules{"Rules", "Regeln"};
 constexpr Sentence origin{"Every code that axisc reports, as printed by `axisc explain --all`.",
                           "Alle Codes, die axisc meldet, wie `axisc explain --all --lang de` sie ausgibt."};
-constexpr Sentence message{"Message {number} of the control", "Meldung {number} der Steuerung"};
-constexpr Sentence foretold{
-    "These findings foretell it; `axisc explain` prints the page of each:",
-    "Diese Befunde kündigen die Meldung vorab an; `axisc explain` zeigt die Seite zu jedem:"};
-constexpr Sentence parameters_with{"Parameters with \"{word}\"", "Parameter mit „{word}“"};
+constexpr Sentence hits{"Found for \"{word}\"", "Gefunden zu „{word}“"};
+constexpr Sentence more{"More with \"{word}\" in the name:", "Weitere mit „{word}“ im Namen:"};
+constexpr Sentence read_as{"\"{word}\" was read as \"{meant}\".", "„{word}“ wurde als „{meant}“ gelesen."};
 constexpr Sentence code{"code", "Code"};
 constexpr Sentence severity{"severity", "Schweregrad"};
 constexpr Sentence control{"message of the control", "Meldung der Steuerung"};
-constexpr Sentence what{"what is found", "was gefunden wird"};
 
 }  // namespace axisc::says
 
@@ -32,10 +30,6 @@ using namespace presentation;
 namespace {
 
 using Rules = std::vector<validator::Rule const*>;
-
-Value text_or_nothing(std::string_view text) {
-  return text.empty() ? Value() : Value(text);
-}
 
 /// Every code leads to its page, which follows.
 Table index_of(Rules const& rules) {
@@ -49,44 +43,6 @@ Table index_of(Rules const& rules) {
   return table;
 }
 
-/// Codes with the first sentence of their pages.
-Table foretelling(Rules const& rules) {
-  Table table{.key = {}, .audience = Audience::people};
-  auto const first_line = [](std::string_view page) { return std::string(page.substr(0, page.find('\n'))); };
-  for (auto const* const rule : rules) {
-    auto const& text = page(*rule);
-    add_row(table, {shown(says::code, code_text(rule->code)), shown(labels::name, rule->name),
-                    shown(says::what, Wording(first_line(text.english), first_line(text.german)))});
-  }
-  return table;
-}
-
-Table found(std::vector<schema::Parameter const*> const& parameters) {
-  Table table{.key = {}, .audience = Audience::people};
-  for (auto const* const parameter : parameters) {
-    add_row(table, {shown(labels::parameter, parameter->name),
-                    shown(labels::number, schema::number_text(parameter->kind, parameter->p_axis)),
-                    shown(labels::meaning, Wording(schema::description_of(*parameter).what))});
-  }
-  return table;
-}
-
-/// Of all kinds of lists, those of axes first.
-std::vector<schema::Catalogue> catalogues_of(schema::Catalogue const& of_axes) {
-  std::vector<schema::Catalogue> catalogues{of_axes};
-  for (auto const& row : schema::list_kind_rows) {
-    if (row.kind != schema::ListKind::axis) catalogues.push_back(schema::Catalogue::of(row.kind));
-  }
-  return catalogues;
-}
-
-ExplainSubject everything(schema::Catalogue const& of_axes) {
-  ExplainSubject subject;
-  for (auto const& rule : validator::rules()) subject.rules.push_back(&rule);
-  for (auto const& parameter : of_axes.parameters()) subject.parameters.push_back(&parameter);
-  return subject;
-}
-
 /// A part that people see alone gives the document its title.
 Words take_title(Section& part) {
   auto title = *part.title;
@@ -95,42 +51,143 @@ Words take_title(Section& part) {
 }
 
 Document document_of(Section section) {
-  Document document{.version = 2, .title = take_title(section), .blocks = {}};
+  Document document{.version = 3, .title = take_title(section), .blocks = {}};
   document.blocks.emplace_back(std::move(section));
   return document;
 }
 
-}  // namespace
+/// What programs read of any answer: arrays, of which some are empty.
+struct Arrays {
+  Sections topics{.key = "topics", .items = {}};
+  Sections rules{.key = "rules", .items = {}};
+  Sections messages{.key = "messages", .items = {}};
+  Sections parameters{.key = "parameters", .items = {}};
 
-Symbol severity_symbol(Severity severity) {
-  auto const name = severity_name(severity);
-  switch (severity) {
-    case Severity::error: return {name, says::word_error};
-    case Severity::warning: return {name, says::word_warning};
-    case Severity::note: break;
+  void add_to(std::vector<Block>& blocks) && {
+    for (auto* const sections : {&topics, &rules, &messages, &parameters}) {
+      blocks.emplace_back(std::move(*sections));
+    }
   }
-  return {name, says::word_note};
+};
+
+void for_programs(Section& section) {
+  section.audience = Audience::programs;
+  section.id.clear();
 }
 
-Section rule_section(validator::Rule const& rule) {
-  auto const code = code_text(rule.code);
-  auto const severity = severity_symbol(rule.severity);
-  bool const several = rule.control.find('/') != std::string_view::npos;
-  Words facts = severity.words;
-  if (!rule.control.empty()) {
-    facts = {says::severity_and_control,
-             {{"severity", severity},
-              {"control", Words(says::word_control)},
-              {"messages", Words(several ? axisc::says::control_messages : axisc::says::control_message,
-                                 {{"number", rule.control}})}}};
+Document every_code(schema::Catalogue const& of_axes) {
+  Rules rules;
+  Arrays arrays;
+  for (auto const& rule : validator::rules()) {
+    rules.push_back(&rule);
+    arrays.rules.items.push_back(rule_section(rule));
   }
-  return {.key = {},
-          .title = as_given(code + " " + std::string(rule.name)),
-          .blocks = {Paragraph{std::move(facts)}, Prose{.key = "page", .markdown = Wording(page(rule))}},
-          .identity = {data("code", code), data("name", rule.name), data("severity", severity),
-                       data("control", text_or_nothing(rule.control)),
-                       data("needs_cycle_time", rule.needs == validator::Needs::cycle_time)},
-          .id = code};
+  for (auto const& parameter : of_axes.parameters()) {
+    arrays.parameters.items.push_back(parameter_section(of_axes, parameter));
+    for_programs(arrays.parameters.items.back());
+  }
+  Document answer{.version = 3,
+                  .title = says::rules,
+                  .blocks = {Paragraph{says::origin}, index_of(rules)},
+                  .csv_table = "rules"};
+  std::move(arrays).add_to(answer.blocks);
+  return answer;
+}
+
+/// Others whose names contain the words.
+void add_more(Document& answer, ExplainSubject const& subject, ExplainQuestion const& question) {
+  if (subject.hits.empty()) return;
+  auto table = subjects_table({}, subjects_of(subject.hits));
+  table.audience = Audience::people;
+  table.most_shown = 10;
+  answer.blocks.emplace_back(Paragraph{Words(says::more, {{"word", question.word}})});
+  answer.blocks.emplace_back(std::move(table));
+}
+
+Document page_of(ExplainSubject const& subject, ExplainQuestion const& question,
+                 std::span<schema::Catalogue const> catalogues) {
+  Document answer{.version = 3, .title = as_given(question.word), .blocks = {}};
+  if (!subject.read_as.empty()) {
+    answer.blocks.emplace_back(
+        Paragraph{Words(says::read_as, {{"word", question.word}, {"meant", subject.read_as}})});
+  }
+  if (subject.motion_word != nullptr) {
+    auto word = word_answer(*subject.motion_word);
+    word.blocks.insert(word.blocks.begin(), answer.blocks.begin(), answer.blocks.end());
+    return word;
+  }
+  Arrays arrays;
+  if (subject.topic != nullptr) arrays.topics.items.push_back(topic_section(*subject.topic, catalogues));
+  for (auto const* const rule : subject.rules) arrays.rules.items.push_back(rule_section(*rule));
+  if (subject.number) {
+    arrays.messages.items.push_back(message_section(*subject.number, subject.message, subject.foretelling));
+  }
+  for (auto const* const parameter : subject.parameters) {
+    arrays.parameters.items.push_back(parameter_section(question.of_axes, *parameter));
+  }
+  std::vector<Section*> parts;
+  for (auto* const sections : {&arrays.topics, &arrays.rules, &arrays.messages, &arrays.parameters}) {
+    for (auto& item : sections->items) parts.push_back(&item);
+    if (!sections->items.empty() && answer.csv_table.empty()) answer.csv_table = sections->key;
+  }
+  if (parts.size() == 1) answer.title = take_title(*parts.front());
+  // Only the list of all codes has links.
+  for (auto* const part : parts) part->id.clear();
+  for (auto const* const rule : subject.foretelling) {
+    arrays.rules.items.push_back(rule_section(*rule));
+    for_programs(arrays.rules.items.back());
+  }
+  std::move(arrays).add_to(answer.blocks);
+  add_more(answer, subject, question);
+  return answer;
+}
+
+struct Collector {
+  Arrays& arrays;
+  ExplainQuestion const& question;
+
+  void operator()(validator::Rule const* rule) const { add(arrays.rules, rule_section(*rule)); }
+  void operator()(schema::Parameter const* parameter) const {
+    add(arrays.parameters, parameter_section(question.of_axes, *parameter));
+  }
+  // Their rows say what there is to know.
+  void operator()(schema::MotionWord const* /*word*/) const {}
+  void operator()(schema::Topic const* /*topic*/) const {}
+  void operator()(schema::ControlMessage const* message) const {
+    add(arrays.messages, message_section(message->numbers.front(), message, {}));
+  }
+
+  static void add(Sections& sections, Section section) {
+    for_programs(section);
+    sections.items.push_back(std::move(section));
+  }
+};
+
+/// Everything that may be meant, best first.
+Document list_of(ExplainSubject const& subject, ExplainQuestion const& question) {
+  constexpr std::size_t most_shown = 40;
+  auto const subjects = subjects_of(subject.hits);
+  Arrays arrays;
+  for (auto const& found : subjects) std::visit(Collector{arrays, question}, found);
+  bool const has_others = arrays.parameters.items.size() != subjects.size();
+  auto table = subjects_table("hits", subjects);
+  table.most_shown = most_shown;
+  Document answer{.version = 3,
+                  .title = Words(says::hits, {{"word", question.word}}),
+                  .blocks = {std::move(table)},
+                  .csv_table = has_others ? "hits" : "parameters"};
+  std::move(arrays).add_to(answer.blocks);
+  return answer;
+}
+
+}  // namespace
+
+std::vector<schema::Catalogue> catalogues_of(schema::Catalogue const& of_axes) {
+  std::vector<schema::Catalogue> catalogues{of_axes};
+  for (auto const& row : schema::list_kind_rows) {
+    if (row.kind != schema::ListKind::axis) catalogues.push_back(schema::Catalogue::of(row.kind));
+  }
+  return catalogues;
 }
 
 Document rule_answer(validator::Rule const& rule) {
@@ -142,47 +199,10 @@ Document parameter_answer(schema::Catalogue const& catalogue, schema::Parameter 
 }
 
 Document explain_answer(ExplainQuestion const& question) {
+  if (question.all) return every_code(question.of_axes);
   auto const catalogues = catalogues_of(question.of_axes);
-  auto const& [word, all, of_axes] = question;
-  auto const subject = all ? everything(of_axes) : explain_subject(catalogues, word);
-  Document answer{.version = 2, .title = as_given(word), .blocks = {}};
-  if (subject.motion_word != nullptr) return word_answer(*subject.motion_word);
-  Sections rules{.key = "rules", .items = {}};
-  Sections parameters{.key = "parameters", .items = {}};
-  for (auto const* const rule : subject.rules) rules.items.push_back(rule_section(*rule));
-  for (auto const* const parameter : subject.parameters) {
-    parameters.items.push_back(parameter_section(of_axes, *parameter));
-    if (all || subject.is_searched) parameters.items.back().audience = Audience::programs;
-  }
-  Section message{.key = {},
-                  .title = Words(says::message, {{"number", word}}),
-                  .blocks = {Paragraph{says::foretold}, foretelling(subject.foretelling)}};
-  if (all) {
-    answer.title = says::rules;
-    answer.blocks = {Paragraph{says::origin}, index_of(subject.rules)};
-  } else if (subject.is_searched) {
-    answer.title = Words(says::parameters_with, {{"word", word}});
-    answer.blocks = {found(subject.parameters)};
-  } else {
-    std::vector<Section*> parts;
-    for (auto& item : rules.items) parts.push_back(&item);
-    for (auto& item : parameters.items) parts.push_back(&item);
-    if (!subject.foretelling.empty()) parts.push_back(&message);
-    if (parts.size() == 1) answer.title = take_title(*parts.front());
-  }
-  for (auto const* const rule : subject.foretelling) {
-    rules.items.push_back(rule_section(*rule));
-    rules.items.back().audience = Audience::programs;
-  }
-  answer.csv_table = rules.items.empty() ? "parameters" : "rules";
-  // Only the list of all codes has links.
-  for (auto& item : rules.items) {
-    if (!all) item.id.clear();
-  }
-  answer.blocks.emplace_back(std::move(rules));
-  if (!subject.foretelling.empty()) answer.blocks.emplace_back(std::move(message));
-  answer.blocks.emplace_back(std::move(parameters));
-  return answer;
+  auto const subject = explain_subject(catalogues, question.word);
+  return subject.is_found() ? page_of(subject, question, catalogues) : list_of(subject, question);
 }
 
 }  // namespace axisc

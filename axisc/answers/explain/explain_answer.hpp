@@ -1,24 +1,29 @@
-// What codes, messages of the control and parameters mean, as an answer.
+// What codes, messages of the control, parameters, words of NC programs and topics mean, as an answer.
 #pragma once
 
+#include "axisc/answers/explain/search.hpp"
 #include "presentation/document.hpp"
 #include "schema/catalogue.hpp"
+#include "schema/lookup/lookup.hpp"
 #include "schema/motion_words.hpp"
 #include "validator/engine/rule.hpp"
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 namespace axisc {
 
 struct ExplainQuestion {
-  /// A code, its name, a number, a parameter, a part of one, a message of the control, or a word of NC
-  /// programs that says how a path is driven.
+  /// Whatever a person types: a code, its name, a number, a parameter, a part of one, a message of the
+  /// control, its text with the number, a word of NC programs, or words for what they mean.
   std::string word;
   bool all = false;           ///< instead of a word: every code
   schema::Catalogue of_axes;  ///< with what schema files add
 };
 
-/// Failure for a word that means nothing, with what may have been meant.
+/// The page of what was meant, or everything that may have been meant, best first. Failure for a word that
+/// means nothing, with what may have been meant.
 [[nodiscard]] presentation::Document explain_answer(ExplainQuestion const& question);
 
 /// One code, one row of the catalogue, and one word of NC programs.

@@ -1,25 +1,26 @@
 #include "axisc/answers/explain/explain_subject.hpp"
 
-#include "axisc/asked/finding_codes.hpp"
+#include "axisc/answers/explain/named_subject.hpp"
+#include "axisc/answers/explain/search_entries.hpp"
+#include "axisc/answers/explain/search_text.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/failure.hpp"
-#include "configuration/list_kind.hpp"
 #include "diagnostics/ascii.hpp"
 #include "schema/closest_word.hpp"
-#include "schema/descriptions/description.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace axisc::says {
 
-constexpr Sentence unknown_subject{
-    "\"{word}\" is not a code, a message of the control, a parameter or a part of one, nor a word for path "
-    "dynamics (G60, #SLOPE); `axisc explain --all` lists the codes",
-    "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon, "
-    "auch kein Wort zur Bahndynamik (G60, #SLOPE); `axisc explain --all` nennt die Codes"};
-constexpr Sentence unknown_subject_meant{
-    "\"{word}\" is not a code, a message of the control, a parameter or a part of one, nor a word for path "
-    "dynamics (G60, #SLOPE); did you mean {meant}?",
-    "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon, "
-    "auch kein Wort zur Bahndynamik (G60, #SLOPE); war {meant} gemeint?"};
+constexpr Sentence nothing_found{
+    "nothing is found for \"{word}\": `axisc explain` knows codes, messages of the control, parameters, "
+    "words "
+    "of NC programs and what they mean; `axisc explain --all` lists the codes",
+    "zu „{word}“ ist nichts zu finden: `axisc explain` kennt Codes, Meldungen der Steuerung, Parameter, "
+    "Wörter von NC-Programmen und ihre Bedeutung; `axisc explain --all` nennt die Codes"};
+constexpr Sentence nothing_found_meant{"nothing is found for \"{word}\"; did you mean {meant}?",
+                                       "zu „{word}“ ist nichts zu finden; war {meant} gemeint?"};
 
 }  // namespace axisc::says
 
@@ -27,120 +28,152 @@ namespace axisc {
 
 namespace {
 
-/// By code ("AX3005", "ax3005", "3005") or name ("delay-too-long").
-validator::Rule const* rule_of(std::string const& word) {
-  auto const code = find_code(word);
-  auto const by_number = code ? code : find_code("AX" + word);
-  return by_number ? validator::find_rule(*by_number) : nullptr;
+using Catalogues = std::span<schema::Catalogue const>;
+
+bool is_number(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), ascii::is_digit);
 }
 
-/// Rows with the number in "P-AXIS-00140" or "P-CHAN-00035". The number may stand alone for a parameter of
-/// axes; zeros in front may be missing.
-std::vector<schema::Parameter const*> rows_of_number(std::span<schema::Catalogue const> catalogues,
-                                                     std::string const& word) {
-  auto const text = ascii::upper_case(word);
-  std::vector<schema::Parameter const*> rows;
-  for (auto const& catalogue : catalogues) {
-    auto const prefix = configuration::number_prefix(catalogue.kind()) + "-";
-    bool const has_prefix = text.starts_with(prefix);
-    if (!has_prefix && catalogue.kind() != schema::ListKind::axis) continue;
-    auto const number = parse_count(std::string_view(text).substr(has_prefix ? prefix.size() : 0));
-    if (!number || *number > 0xFFFFU) continue;
-    for (auto const id : catalogue.find_number(static_cast<std::uint16_t>(*number))) {
-      rows.push_back(&catalogue.parameter(id));
+/// A message that a row of control-messages.json or a rule names.
+bool take_message(ExplainSubject& subject, std::string const& text) {
+  auto const number = is_number(text) ? parse_count(text) : std::nullopt;
+  if (!number || *number > 0xFFFFFFFFU) return false;
+  auto const message = static_cast<std::uint32_t>(*number);
+  subject.message = schema::find_control_message(message);
+  subject.foretelling = rules_foretelling(text);
+  if (subject.message == nullptr && subject.foretelling.empty()) return false;
+  subject.number = message;
+  return true;
+}
+
+/// One word, or one command, as programs write it.
+ExplainSubject subject_of(Catalogues catalogues, std::string const& text) {
+  ExplainSubject subject;
+  subject.motion_word = schema::find_motion_word(std::string_view(text));
+  if (subject.motion_word != nullptr) return subject;
+  subject.topic = topic_named(text);
+  if (subject.topic != nullptr) return subject;
+  if (auto const* const rule = rule_named(text)) subject.rules.push_back(rule);
+  bool const is_message = take_message(subject, text);
+  if (!subject.rules.empty() || is_message) return subject;
+  subject.parameters = rows_of_number(catalogues, text);
+  if (subject.parameters.empty()) subject.parameters = rows_of_name(catalogues, text);
+  return subject;
+}
+
+/// A number or a word of NC programs in the midst of others: "Fehler 50663", "P-ERR-50663", "what is G60".
+/// The number of a message has at least four digits; texts of messages contain others.
+ExplainSubject subject_within(Catalogues catalogues, std::string const& text) {
+  constexpr std::size_t shortest_message = 4;
+  auto const words = words_of(text);
+  ExplainSubject subject;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    bool const is_parameter = i > 0 && words[i - 1] == "p" && is_number(words[i + 1]);
+    if (is_parameter) subject.parameters = rows_of_number(catalogues, "P-" + words[i] + "-" + words[i + 1]);
+    if (words[i] == "ax" && is_number(words[i + 1])) {
+      if (auto const* const rule = rule_named("AX" + words[i + 1])) subject.rules.push_back(rule);
     }
+    if (subject.is_found()) return subject;
   }
-  return rows;
-}
-
-/// `filter[2].order` and `filter[].order` both name a row of the catalogue.
-schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::string const& word) {
-  for (auto const& parameter : catalogue.parameters()) {
-    if (parameter.name == word) return &parameter;
-  }
-  return catalogue.find(word).row;
-}
-
-/// Those of axis lists, else of the other kinds: several of them may know one name.
-std::vector<schema::Parameter const*> rows_of_name(std::span<schema::Catalogue const> catalogues,
-                                                   std::string const& word) {
-  std::vector<schema::Parameter const*> rows;
-  for (auto const& catalogue : catalogues) {
-    if (auto const* const row = row_of_name(catalogue, word)) rows.push_back(row);
-    if (!rows.empty() && catalogue.kind() == schema::ListKind::axis) break;
-  }
-  return rows;
-}
-
-[[noreturn]] void refuse(schema::Catalogue const& catalogue, std::string const& word) {
-  std::string meant;
-  // Of a single word everything is similar to some name.
-  auto const names =
-      word.find('.') == std::string::npos ? std::vector<std::string>() : catalogue.suggest_names(word).names;
-  if (!names.empty()) meant = names.front();
-  if (meant.empty()) {
-    std::vector<std::string> texts;
-    for (auto const& rule : validator::rules()) {
-      texts.push_back(code_text(rule.code));
-      texts.emplace_back(rule.name);
+  for (auto const& word : words) {
+    if (word.starts_with("ax") && is_number(std::string_view(word).substr(2))) {
+      if (auto const* const rule = rule_named(word)) subject.rules.push_back(rule);
     }
-    std::vector<std::string_view> const known(texts.begin(), texts.end());
-    meant = schema::closest_word(word, known);
+    if (!subject.rules.empty()) return subject;
+    if (word.size() >= shortest_message && take_message(subject, word)) return subject;
   }
-  throw Failure({meant.empty() ? says::unknown_subject : says::unknown_subject_meant,
-                 {{"word", word}, {"meant", meant}}});
+  std::vector<std::string> telling;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(telling),
+               [](std::string const& word) { return !is_filler(word); });
+  if (telling.size() == 1) return subject_of(catalogues, telling.front());
+  for (auto const& word : words) {
+    bool const is_g_word = word.starts_with('g') && is_number(std::string_view(word).substr(1));
+    if (is_g_word) subject.motion_word = schema::find_motion_word(std::string_view(word));
+    if (subject.motion_word != nullptr) return subject;
+  }
+  return subject;
 }
 
-/// "50663" is in "50663/60311/70451".
-bool foretells(validator::Rule const& rule, std::string const& number) {
-  return ("/" + std::string(rule.control) + "/").find("/" + number + "/") != std::string::npos;
+/// A name with a typing error that can mean nothing else.
+ExplainSubject subject_nearly_named(Catalogues catalogues, std::string const& text) {
+  ExplainSubject subject;
+  if (text.find('.') == std::string::npos || text.find(' ') != std::string::npos) return subject;
+  auto const near = catalogues.front().suggest_names(text);
+  if (!near.is_certain) return subject;
+  subject.parameters = rows_of_name(catalogues, near.names.front());
+  subject.read_as = near.names.front();
+  return subject;
 }
 
-/// Upper and lower case are equal; the meaning counts where no name contains the word.
-std::vector<schema::Parameter const*> parameters_with(schema::Catalogue const& catalogue,
-                                                      std::string const& word) {
-  auto const wanted = ascii::lower_case(word);
-  auto const search = [&](auto const& text_of) {
-    std::vector<schema::Parameter const*> found;
-    for (auto const& parameter : catalogue.parameters()) {
-      if (ascii::lower_case(text_of(parameter)).find(wanted) != std::string::npos) {
-        found.push_back(&parameter);
-      }
+void take(ExplainSubject& subject, Subject const& found) {
+  struct Taker {
+    ExplainSubject& subject;
+    void operator()(validator::Rule const* rule) const { subject.rules.push_back(rule); }
+    void operator()(schema::Parameter const* parameter) const { subject.parameters.push_back(parameter); }
+    void operator()(schema::MotionWord const* word) const { subject.motion_word = word; }
+    void operator()(schema::Topic const* topic) const { subject.topic = topic; }
+    void operator()(schema::ControlMessage const* message) const {
+      subject.message = message;
+      subject.number = message->numbers.front();
+      subject.foretelling = rules_foretelling(std::to_string(message->numbers.front()));
     }
-    return found;
   };
-  constexpr std::size_t shortest = 3;
-  if (word.size() < shortest) return {};
-  auto found = search([](schema::Parameter const& parameter) { return std::string(parameter.name); });
-  if (!found.empty()) return found;
-  return search([](schema::Parameter const& parameter) {
-    auto const what = schema::description_of(parameter).what;
-    return std::string(what.english) + "\n" + std::string(what.german);
-  });
+  std::visit(Taker{subject}, found);
+}
+
+/// The answer, with others whose names contain the words, or all hits.
+ExplainSubject searched(Catalogues catalogues, std::string const& text) {
+  ExplainSubject subject;
+  subject.hits = search(catalogues, text);
+  if (!is_answer(subject.hits)) return subject;
+  auto const answer = subject.hits.front();
+  take(subject, answer.subject);
+  subject.read_as = answer.read_as;
+  subject.hits.erase(subject.hits.begin());
+  std::erase_if(subject.hits, [](Hit const& hit) { return hit.likeness != Likeness::part_of_name; });
+  return subject;
+}
+
+[[noreturn]] void refuse(Catalogues catalogues, std::string const& text) {
+  std::vector<std::string> known;
+  for (auto const& rule : validator::rules()) known.push_back(code_text(rule.code));
+  for (auto const& message : schema::control_messages()) {
+    for (auto const number : message.numbers) known.push_back(std::to_string(number));
+  }
+  for (auto const& entry : search_entries(catalogues)) {
+    for (auto const& phrase : entry.phrases) known.push_back(phrase.written);
+  }
+  auto words = words_of(text);
+  std::erase_if(words, [](std::string const& word) { return is_filler(word); });
+  std::vector<std::string_view> const views(known.begin(), known.end());
+  auto meant = std::string(schema::closest_word(text, views));
+  for (auto const& word : words) {
+    if (meant.empty()) meant = schema::closest_word(word, views);
+  }
+  throw Failure(
+      {meant.empty() ? says::nothing_found : says::nothing_found_meant, {{"word", text}, {"meant", meant}}});
 }
 
 }  // namespace
 
-ExplainSubject explain_subject(std::span<schema::Catalogue const> catalogues, std::string const& word) {
-  ExplainSubject subject;
-  subject.motion_word = schema::find_motion_word(std::string_view(word));
-  if (subject.motion_word != nullptr) return subject;
-  if (auto const* const rule = rule_of(word)) subject.rules.push_back(rule);
-  for (auto const& rule : validator::rules()) {
-    if (foretells(rule, word)) subject.foretelling.push_back(&rule);
+ExplainSubject explain_subject(std::span<schema::Catalogue const> catalogues, std::string const& text) {
+  for (auto const find : {subject_of, subject_within, subject_nearly_named}) {
+    auto subject = find(catalogues, text);
+    if (subject.is_found()) return subject;
   }
-  if (!subject.rules.empty() || !subject.foretelling.empty()) return subject;
-  subject.parameters = rows_of_number(catalogues, word);
-  if (subject.parameters.empty()) subject.parameters = rows_of_name(catalogues, word);
-  if (!subject.parameters.empty()) return subject;
-  subject.is_searched = true;
-  for (auto const& catalogue : catalogues) {
-    auto const found = parameters_with(catalogue, word);
-    subject.parameters.insert(subject.parameters.end(), found.begin(), found.end());
-    if (!subject.parameters.empty() && catalogue.kind() == schema::ListKind::axis) break;
-  }
-  if (!subject.parameters.empty()) return subject;
-  refuse(catalogues.front(), word);
+  auto subject = searched(catalogues, text);
+  if (!subject.is_found() && subject.hits.empty()) refuse(catalogues, text);
+  return subject;
+}
+
+std::optional<Subject> subject_named(std::span<schema::Catalogue const> catalogues, std::string_view name) {
+  auto const subject = subject_of(catalogues, std::string(name));
+  if (subject.motion_word != nullptr) return subject.motion_word;
+  if (subject.topic != nullptr) return subject.topic;
+  if (!subject.rules.empty()) return subject.rules.front();
+  if (subject.message != nullptr) return subject.message;
+  if (!subject.parameters.empty()) return subject.parameters.front();
+  return std::nullopt;
 }
 
 }  // namespace axisc

@@ -43,7 +43,7 @@ Document word_answer(schema::MotionWord const& word) {
   add_row(table, {data("word", word.word), data("form", word.form), data("use", use), data("reach", reach),
                   data("page", meaning), data("source", address.empty() ? Value() : Value(address))});
   Document answer{
-      .version = 2,
+      .version = 3,
       .title = as_given(word.word),
       .blocks = {Paragraph{Words(says::word_facts, {{"use", use.words}, {"reach", reach.words}})},
                  Paragraph{word.meaning}, Paragraph{Words(says::word_form, {{"form", word.form}})}},

@@ -2,6 +2,9 @@
 #include "folders.hpp"
 #include "support/catch.hpp"
 
+#include <string>
+#include <vector>
+
 using namespace axisc::test;
 
 TEST_CASE("symbols are the families of a list") {
@@ -29,4 +32,25 @@ TEST_CASE("the workspace's symbols are axes and channels") {
   CHECK(found("").size() == 2);
   REQUIRE(found("y").size() == 1);
   CHECK(found("y")[0]["location"]["uri"] == "file://" + (folder / "y.lis"));
+}
+
+TEST_CASE("the workspace's symbols are lines that set what people look for") {
+  auto const found = [](std::string const& query) {
+    return Conversation()
+        .open("/x.lis",
+              "kopf.achs_nr 1\nkopf.log_achs_name X\ngetriebe[0].kv 1000\nfilter[1].type BANDSTOP\nEnde\n")
+        .ask("workspace/symbol", "/x.lis", {{"query", query}})
+        .results()[0];
+  };
+  auto const names = [&](std::string const& query) {
+    std::vector<std::string> all;
+    for (auto const& symbol : found(query)) all.push_back(symbol["name"]);
+    return all;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(names("Kv") == Names{"X: getriebe[0].kv"});
+  CHECK(found("Kv")[0]["location"]["range"]["start"] == Json({{"line", 2}, {"character", 0}}));
+  CHECK(names("Kerbfilter") == Names{"X: filter[1].type (Kerbfilter)"});
+  CHECK(names("Kerbfiltr") == Names{"X: filter[1].type (Kerbfiltr)"});
+  CHECK(names("Umkehrspiel").empty());
 }

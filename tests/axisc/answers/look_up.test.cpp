@@ -1,0 +1,225 @@
+// Look-ups as people type them. What is right was decided by what the words mean to somebody who sets up a
+// machine: the panel's number leads to its message, a colloquial name to the parameter that the manual
+// describes under it, a symptom to the page that says what helps.
+#include "axisc/answers/explain/explain_parts.hpp"
+#include "axisc/answers/explain/explain_subject.hpp"
+#include "axisc/answers/explain/search_entries.hpp"
+#include "axisc/answers/explain/search_text.hpp"
+#include "axisc/environment/failure.hpp"
+#include "diagnostics/finding.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using namespace axisc;
+
+namespace {
+
+std::vector<schema::Catalogue> const& catalogues() {
+  static auto const all = catalogues_of({});
+  return all;
+}
+
+struct Namer {
+  std::string operator()(validator::Rule const* rule) const { return code_text(rule->code); }
+  std::string operator()(schema::Parameter const* parameter) const { return std::string(parameter->name); }
+  std::string operator()(schema::MotionWord const* word) const { return std::string(word->word); }
+  std::string operator()(schema::Topic const* topic) const { return std::string(topic->name); }
+  std::string operator()(schema::ControlMessage const* message) const {
+    return std::to_string(message->numbers.front());
+  }
+};
+
+/// The name of the page that is shown, or of the first row of the list.
+std::string first_of(std::string const& text) {
+  auto const subject = explain_subject(catalogues(), text);
+  if (subject.number) return std::to_string(*subject.number);
+  if (subject.topic != nullptr) return Namer()(subject.topic);
+  if (subject.motion_word != nullptr) return Namer()(subject.motion_word);
+  if (!subject.rules.empty()) return Namer()(subject.rules.front());
+  if (!subject.parameters.empty()) return Namer()(subject.parameters.front());
+  return std::visit(Namer(), subject.hits.front().subject);
+}
+
+struct LookUp {
+  std::string_view typed;
+  std::string_view right;
+};
+
+constexpr auto look_ups = std::to_array<LookUp>({
+    // The panel.
+    {"Fehler 50663", "50663"},
+    {"ID 50663", "50663"},
+    {"P-ERR-50663", "50663"},
+    {"Feher 50663", "50663"},
+    {"ID 50557: Frequenz zu gross, Achse 1 [X], Wert 600", "50557"},
+    {"error 110239 filter type", "110239"},
+    {"what does 51043 mean", "51043"},
+    {"Meldung 70600 Achse X2", "70600"},
+    {"Alarm 21990", "21990"},
+    {"50555", "50555"},
+    // Filters.
+    {"Kerbfilter", "BANDSTOP"},
+    {"Notch", "BANDSTOP"},
+    {"Bandsperre", "BANDSTOP"},
+    {"notch filter frequency", "BANDSTOP"},
+    {"Kerbfiltr", "BANDSTOP"},
+    {"Tiefpass", "LOWPASS"},
+    {"low pass filter", "LOWPASS"},
+    {"PT1-Glied", "PT1"},
+    {"Totzeit", "TIME_DELAY"},
+    {"gleitender Mittelwert", "FIR"},
+    {"NoVib", "HSC"},
+    {"Vibration Gaurd", "#VIB GUARD"},
+    {"input shaping", "#VIB GUARD"},
+    {"Butterworth", "filter[].prototype"},
+    {"Guete", "filter[].guete"},
+    {"Grenzfrequenz", "filter[].fg_f0"},
+    {"cutoff frequency", "filter[].fg_f0"},
+    {"Filterordnung", "filter[].order"},
+    {"filter[1].odrer", "filter[].order"},
+    {"Dämpfungsgrad", "vib_guard.damping"},
+    // Symptoms.
+    {"Rattern", "vibration"},
+    {"chatter", "vibration"},
+    {"Maschine schwingt", "vibration"},
+    {"Ueberschwingen", "overshoot"},
+    {"Konturfehler", "contour deviation"},
+    {"Filter wirkt nicht", "AX3007"},
+    {"Achsen laufen nicht synchron", "AX4011"},
+    {"Neustart nötig", "restart"},
+    // Axis parameters.
+    {"Umkehrspiel", "getriebe[].lose"},
+    {"backlash", "getriebe[].lose"},
+    {"Kv", "getriebe[].kv"},
+    {"kv factor", "getriebe[].kv"},
+    {"Höchstgeschwindigkeit", "getriebe[].dynamik.vb_max"},
+    {"hoechstgeschwindigkeit", "getriebe[].dynamik.vb_max"},
+    {"Hochstgeschwindigkeit", "getriebe[].dynamik.vb_max"},
+    {"vb max", "getriebe[].dynamik.vb_max"},
+    {"vb_maxx", "getriebe[].dynamik.vb_max"},
+    {"max acceleration", "getriebe[].dynamik.a_max"},
+    {"Schlepfehler", "getriebe[].slep_max"},
+    {"Eilgang", "getriebe[].vb_eilgang"},
+    {"in-position window", "getriebe[].window"},
+    {"Getriebeübersetzung", "getriebe[].gear_fact_num"},
+    {"Referenzfahrt", "kenngr.homing.homing_type"},
+    {"P-AXIS-00099", "getriebe[].kv"},
+    {"p axis 212", "getriebe[].dynamik.vb_max"},
+    // Lists and programs.
+    {"Dezimalkomma", "AX1005"},
+    {"ax 3005", "AX3005"},
+    {"#FILTER", "#FILTER"},
+    {"G60 Genauhalt", "G60"},
+    {"Überschleifen", "G61"},
+});
+static_assert(look_ups.size() == 60);
+
+}  // namespace
+
+TEST_CASE("people's words lead to the right page first") {
+  std::size_t right = 0;
+  for (auto const& [typed, expected] : look_ups) {
+    INFO(typed);
+    auto const found = first_of(std::string(typed));
+    CHECK(found == expected);
+    if (found == expected) ++right;
+  }
+  CHECK(right >= 55);
+}
+
+TEST_CASE("texts are folded as people type them") {
+  CHECK(folded("Höchst-Geschwindigkeit") == "hochstgeschwindigkeit");
+  CHECK(folded("HOECHSTGESCHWINDIGKEIT") == folded("höchstgeschwindigkeit"));
+  CHECK(folded("Übergroße") == "ubergrosse");
+  CHECK(words_of("getriebe[0].vb_max") == std::vector<std::string>{"getriebe", "0", "vb", "max"});
+  CHECK(words_of("  ") == std::vector<std::string>());
+  CHECK(is_filler("fehler"));
+  CHECK_FALSE(is_filler("filter"));
+}
+
+TEST_CASE("one good hit is the answer, several are ranked") {
+  auto const good = search(catalogues(), "Kerbfilter");
+  CHECK(is_answer(good));
+  CHECK(good.front().likeness == Likeness::exact);
+  auto const slip = search(catalogues(), "Kerbfiltr");
+  CHECK(is_answer(slip));
+  CHECK(slip.front().read_as == "Kerbfilter");
+  auto const several = search(catalogues(), "Endschalter");
+  CHECK_FALSE(is_answer(several));
+  CHECK(several.size() > 2);
+  CHECK(std::is_sorted(several.begin(), several.end(),
+                       [](Hit const& a, Hit const& b) { return a.likeness < b.likeness; }));
+  // A word that is spelled like this elsewhere is no typing error: "function" is another.
+  auto const friction = search(catalogues(), "friction");
+  CHECK(std::none_of(friction.begin(), friction.end(),
+                     [](Hit const& hit) { return hit.likeness == Likeness::slip; }));
+}
+
+TEST_CASE("a number that no message has is not taken for another") {
+  auto const failure = [](std::string const& text) {
+    try {
+      static_cast<void>(explain_subject(catalogues(), text));
+    } catch (Failure const& caught) {
+      return caught.sentence(Language::english);
+    }
+    return std::string("found");
+  };
+  CHECK(failure("Fehler 50999") == "nothing is found for \"Fehler 50999\"; did you mean 50989?");
+  CHECK(failure("50999") == "nothing is found for \"50999\"; did you mean 50989?");
+  CHECK_THAT(failure("xyzzy"), Catch::Matchers::StartsWith("nothing is found for \"xyzzy\": "));
+  CHECK_THAT(failure("?"), Catch::Matchers::StartsWith("nothing is found for \"?\": "));
+}
+
+TEST_CASE("every topic and every synonym refers to something that exists") {
+  auto const entries = search_entries(catalogues());
+  for (auto const& topic : schema::topics()) {
+    INFO(topic.name);
+    CHECK(first_of(std::string(topic.name)) == topic.name);
+    for (auto const name : topic.see) {
+      INFO(name);
+      CHECK(subject_named(catalogues(), name));
+    }
+    // A word of a topic alone, or one that it shares, has it among the hits.
+    for (auto const word : topic.words) {
+      INFO(word);
+      auto const hits = search(entries, word);
+      CHECK(std::any_of(hits.begin(), hits.end(),
+                        [&](Hit const& hit) { return hit.subject == Subject(&topic); }));
+    }
+  }
+  for (auto const& row : schema::synonyms()) {
+    INFO(row.of);
+    CHECK(subject_named(catalogues(), row.of));
+  }
+}
+
+TEST_CASE("every number that a rule names has a page of its own") {
+  for (auto const& rule : validator::rules()) {
+    std::string_view rest = rule.control;
+    while (!rest.empty()) {
+      auto const number = std::string(rest.substr(0, rest.find('/')));
+      rest.remove_prefix(std::min(rest.size(), number.size() + 1));
+      INFO(code_text(rule.code) << " " << number);
+      CHECK(schema::find_control_message(static_cast<std::uint32_t>(std::stoul(number))) != nullptr);
+    }
+  }
+}
+
+TEST_CASE("texts about messages are short enough for a line of a table") {
+  constexpr std::size_t longest = 240;
+  for (auto const& message : schema::control_messages()) {
+    INFO(message.numbers.front());
+    for (auto const& page : {message.meaning, message.reaction, message.remedy}) {
+      CHECK(page.english.size() <= longest);
+      CHECK(page.german.size() <= longest);
+    }
+    CHECK_FALSE(message.meaning.english.empty());
+  }
+}
