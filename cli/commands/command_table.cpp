@@ -27,8 +27,11 @@ constexpr Sentence export_meaning{"make sources in C of a machine's filters",
 constexpr Sentence keygen_meaning{"make a pair of keys for signatures",
                                   "ein Schlüsselpaar für Signaturen erzeugen"};
 constexpr Sentence sign_meaning{"sign an image", "ein Abbild signieren"};
-constexpr Sentence explain_meaning{"explain a code or a parameter",
-                                   "einen Code oder einen Parameter erklären"};
+constexpr Sentence explain_meaning{"look up a code, a message, a parameter or a word",
+                                   "einen Code, eine Meldung, einen Parameter oder ein Wort nachschlagen"};
+constexpr Sentence get_meaning{"show which value is in force, and where it comes from",
+                               "zeigen, welcher Wert wirkt und woher er kommt"};
+constexpr Sentence set_meaning{"write a value into a list", "einen Wert in eine Liste schreiben"};
 
 constexpr Sentence diff_meaning{
     "say what changed between two lists, machines or images",
@@ -66,6 +69,8 @@ constexpr std::array rows = {CommandRow{"lint", says::lint_meaning, lint},
                              CommandRow{"fmt", says::fmt_meaning, fmt},
                              CommandRow{"compile", says::compile_meaning, compile},
                              CommandRow{"machine", says::machine_meaning, machine},
+                             CommandRow{"get", says::get_meaning, get},
+                             CommandRow{"set", says::set_meaning, set},
                              CommandRow{"inspect", says::inspect_meaning, inspect},
                              CommandRow{"certify", says::certify_meaning, certify},
                              CommandRow{"run", says::run_meaning, run},

@@ -11,6 +11,8 @@ namespace axisc::cli {
 [[nodiscard]] ExitStatus fmt(Invocation const& invocation);
 [[nodiscard]] ExitStatus compile(Invocation const& invocation);
 [[nodiscard]] ExitStatus machine(Invocation const& invocation);
+[[nodiscard]] ExitStatus get(Invocation const& invocation);
+[[nodiscard]] ExitStatus set(Invocation const& invocation);
 [[nodiscard]] ExitStatus inspect(Invocation const& invocation);
 [[nodiscard]] ExitStatus certify(Invocation const& invocation);
 [[nodiscard]] ExitStatus run(Invocation const& invocation);

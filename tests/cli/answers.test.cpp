@@ -37,6 +37,7 @@ std::vector<Asked> const all = {
      {"suggest", "machine.json", "--axis", "X", "--resonance", "11Hz", "--plant", "plant.json"},
      0,
      "number,axis,"},
+    {"mill", {"get", "machine.json", "X", "--all"}, 0, "parameter,p_axis,"},
     {"recording", {"compare", "x.lis", "scope.csv", "--cycle-time", "1ms"}, 1, "readings,"},
 };
 

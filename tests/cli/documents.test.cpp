@@ -99,3 +99,9 @@ TEST_CASE("the page about recordings shows what its commands print") {
   fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/recording", folder / "try", fs::copy_options::recursive);
   check_golden("docs/compare.md", executed(read_source_file("docs/compare.md"), folder / "try"));
 }
+
+TEST_CASE("the page about looking up, getting and setting values shows what its commands print") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/mill", folder / "try");
+  check_golden("docs/values.md", executed(read_source_file("docs/values.md"), folder / "try"));
+}

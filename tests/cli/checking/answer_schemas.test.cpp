@@ -71,7 +71,7 @@ TEST_CASE("every schema is printed, as it is published") {
         "axisc: error: axisc schema does not know \"list\"; choose from certify, compare, contour, diff, "
         "explain, "
         "finding, "
-        "inspect, machine, plant, replay, response, schema, settings, simulate, suggest\n");
+        "get, inspect, machine, plant, replay, response, schema, settings, simulate, suggest\n");
   CHECK(run_axisc({"schema"}).status == 2);
 }
 
@@ -100,6 +100,7 @@ TEST_CASE("answers about the samples are as their schemas say") {
     check({"machine", path});
     check({"contour", path});
     check({"diff", "samples/mill", path});
+    check({"get", path, "X", "--all"});
     for (auto const& entry : fs::recursive_directory_iterator(fs::path(AXISC_SOURCE_DIR) / path)) {
       if (entry.path().extension() == ".nc") check({"simulate", path, "--program", entry.path().string()});
     }
@@ -112,7 +113,9 @@ TEST_CASE("answers about the samples are as their schemas say") {
     check({"inspect", image});
     check({"response", image, "--frequencies", "1,10,100"});
   }
-  check({"explain", "filter"});
+  for (std::string const word : {"filter", "Endschalter", "Kerbfilter", "50663", "#FILTER", "2009"}) {
+    check({"explain", word});
+  }
   CHECK(answers > 40);
 }
 
@@ -131,6 +134,9 @@ TEST_CASE("the schemas of answers refuse what is not in them") {
   check_strict({"diff", "samples/mill", "samples/resonance"});
   check_strict({"explain", "AX3005"});
   check_strict({"explain", "filter[0].order"});
+  check_strict({"explain", "50663"});
+  check_strict({"explain", "BANDSTOP"});
+  check_strict({"get", "samples/mill", "X", "--all"});
   check_strict({"simulate", "samples/mill", "--program", "samples/mill/part.nc"});
   check_strict({"contour", "samples/motion/square", "--budget"});
   check_strict({"suggest", "samples/resonance", "--axis", "X", "--resonance", "48Hz"});

@@ -233,8 +233,10 @@ TEST_CASE("every command has its own help in both languages") {
 }
 
 TEST_CASE("placeholders are in the language of the help") {
-  auto const help = run_axisc({"explain", "--help", "--lang", "de"}).out;
-  CHECK_THAT(help, Catch::Matchers::Contains("[OPTIONEN] CODE|P-AXIS-NNNNN|PARAMETER"));
+  CHECK_THAT(run_axisc({"explain", "--help", "--lang", "de"}).out,
+             Catch::Matchers::Contains("[OPTIONEN] WÖRTER"));
+  CHECK_THAT(run_axisc({"set", "--help", "--lang", "de"}).out,
+             Catch::Matchers::Contains("[OPTIONEN] EINGABE ACHSE PARAMETER=WERT..."));
   auto const compile = run_axisc({"compile", "--help", "--lang", "de"}).out;
   CHECK_THAT(compile, Catch::Matchers::Contains("[OPTIONEN] EINGABE...") &&
                           Catch::Matchers::Contains("--output ZIEL.axim") &&
