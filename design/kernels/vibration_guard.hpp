@@ -59,6 +59,12 @@ struct Robustness {
 
 inline constexpr double permitted_residual = 0.05;
 
+// What passes without a word: the control's own limits are not documented.
+/// Cycles until the last impulse, the limit of FIR filters.
+inline constexpr double longest_usual_guard = longest_kernel_order;
+/// V at the configured frequency and damping.
+inline constexpr double usual_residual = 0.02;
+
 /// V at the configured frequency and damping.
 [[nodiscard]] double residual_at_design(KernelDesign const& kernel, KernelSpecification const& guard,
                                         CycleTime cycle_time);

@@ -22,9 +22,4 @@ struct CommandedGuard {
 /// A program of the machine, or its filter_sets, have a #VIB GUARD.
 [[nodiscard]] bool commands_guard(LoadedMachine const& machine);
 
-/// The limit of FIR filters in cycles; that of the guard is not documented.
-inline constexpr double longest_usual_guard = design::longest_kernel_order;
-/// What may be left at the configured frequency without a word.
-inline constexpr double usual_residual = 0.02;
-
 }  // namespace axisc::validator::checks

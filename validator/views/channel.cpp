@@ -103,4 +103,19 @@ std::vector<machine::FilterParameters> filter_sets_of(LoadedMachine const& machi
   return std::move(collector.sets);
 }
 
+bool has_command(LoadedMachine const& machine, LoadedGroup const& group, grammar::CommandKind kind) {
+  auto const is_wanted = [kind](grammar::NcCommand const& command) { return command.kind == kind; };
+  auto const& programs = group.programs;
+  auto const& sets = machine.filter_sets;
+  return std::any_of(programs.begin(), programs.end(),
+                     [&](std::size_t program) {
+                       auto const& commands = machine.programs[program].tree.commands;
+                       return std::any_of(commands.begin(), commands.end(), is_wanted);
+                     }) ||
+         std::any_of(sets.begin(), sets.end(), [&](configuration::LocatedText const& set) {
+           auto const command = grammar::parse_nc_command(set.text);
+           return command && is_wanted(*command);
+         });
+}
+
 }  // namespace axisc::validator

@@ -24,4 +24,8 @@ namespace axisc::validator {
                                                                     SourceSet const& sources,
                                                                     std::vector<NotCompiled>& not_compiled);
 
+/// A program of the group, or filter_sets of the machine, has a command of this kind.
+[[nodiscard]] bool has_command(LoadedMachine const& machine, LoadedGroup const& group,
+                               grammar::CommandKind kind);
+
 }  // namespace axisc::validator

@@ -1,5 +1,6 @@
 #include "analysis/tuning/suggestion/candidates.hpp"
 
+#include "analysis/tuning/suggestion/guard_candidates.hpp"
 #include "design/filter_kinds.hpp"
 #include "design/kernels/kernel_kinds.hpp"
 
@@ -42,6 +43,7 @@ struct Part {
   Chain chain;
   std::shared_ptr<ImpulseResponse const> response;
   std::complex<double> gain = 1;  ///< on the circle
+  ChainSummary summary = {};
 };
 
 std::vector<Chain> kernels(Task const& task) {
@@ -135,6 +137,11 @@ class Enumerator {
       take(band);
       if (band.chain.filters.size() + 1 <= most_filters && is_simple(band)) cascades.push_back(band);
     }
+    auto const shapers = guards();
+    for (auto const& guard : shapers) {
+      take(guard);
+      for (auto const& first : cascades) take_series(first, guard);
+    }
     for (auto const& kernel : whole_kernels) {
       auto const type = kernel.chain.kernel->type;
       bool const is_slim = type == KernelType::moving_average ||
@@ -157,15 +164,28 @@ class Enumerator {
     std::vector<Part> found;
     for (std::size_t i = 0; i < chains.size(); ++i) {
       auto const on_circle = gain(responses[i], theta_);
+      auto summary = judge_.summary(responses[i]);
       found.push_back({.chain = std::move(chains[i]),
                        .response = std::make_shared<ImpulseResponse const>(std::move(responses[i])),
-                       .gain = on_circle});
+                       .gain = on_circle,
+                       .summary = std::move(summary)});
     }
+    return found;
+  }
+
+  /// Of controls that have Vibration Guard.
+  [[nodiscard]] std::vector<Part> guards() const {
+    if (task_.guards == Standing::unknown) return {};
+    auto found = parts(guard_candidates(task_));
+    std::erase_if(found, [this](Part const& part) {
+      return is_coarse(*part.chain.kernel, *part.response, task_.cycle_time);
+    });
     return found;
   }
 
   /// False where no filter can be computed in the control's reading.
   [[nodiscard]] bool read(Chain& chain) const {
+    if (has_guard(chain)) return true;
     auto const& readings = task_.readings;
     for (auto& filter : chain.filters) {
       filter.reading = readings.filters;
@@ -223,10 +243,13 @@ class Enumerator {
     chain.kernel = second.chain.kernel;
     return chain;
   }
-  static Part series(Part const& first, Part const& second) {
+  [[nodiscard]] Part series(Part const& first, Part const& second) const {
+    auto response = std::make_shared<ImpulseResponse const>(in_series(*first.response, *second.response));
+    auto summary = judge_.summary(*response);
     return {.chain = joined(first, second),
-            .response = std::make_shared<ImpulseResponse const>(in_series(*first.response, *second.response)),
-            .gain = first.gain * second.gain};
+            .response = std::move(response),
+            .gain = first.gain * second.gain,
+            .summary = std::move(summary)};
   }
 
   /// Most chains deviate too much, which shows without their response.
@@ -235,18 +258,20 @@ class Enumerator {
     return task_.radius * std::abs(1 - std::abs(on_circle)) <= task_.tolerance && delay <= longest_;
   }
 
+  [[nodiscard]] bool is_allowed(KernelType type) const {
+    if (type == KernelType::vibration_guard) return task_.guards == Standing::allowed;
+    bool const has_family = task_.family == machine::KernelFamily::fir
+                                ? type != KernelType::novib
+                                : type == KernelType::novib || type == KernelType::moving_average;
+    return has_family && task_.kernels == Standing::allowed;
+  }
+
   void add(Candidate candidate) {
     auto const& chain = candidate.chain;
     bool const has_band_stop =
         std::any_of(chain.filters.begin(), chain.filters.end(),
                     [](FilterSpecification const& filter) { return filter.type == FilterType::bandstop; });
-    bool has_kernel = !chain.kernel;
-    if (chain.kernel) {
-      auto const type = chain.kernel->type;
-      has_kernel = task_.family == machine::KernelFamily::fir
-                       ? type != KernelType::novib
-                       : type == KernelType::novib || type == KernelType::moving_average;
-    }
+    bool const has_kernel = !chain.kernel || is_allowed(chain.kernel->type);
     candidate.is_clean = !has_band_stop && has_kernel && candidate.figures.overshoot <= largest_overshoot;
     found_.candidates.push_back(std::move(candidate));
   }
@@ -257,8 +282,11 @@ class Enumerator {
   }
   void take_series(Part const& first, Part const& second) {
     if (!is_possible(first.gain * second.gain, first.response->delay + second.response->delay)) return;
+    bool const is_bounded = first.summary.is_positive && second.summary.is_positive;
     add({.chain = joined(first, second),
-         .figures = judge_.estimate(in_series(*first.response, *second.response)),
+         .figures = is_bounded ? judge_.bound(first.summary, second.summary)
+                               : judge_.estimate(in_series(*first.response, *second.response)),
+         .is_estimated = !is_bounded,
          .first = first.response,
          .second = second.response});
   }
@@ -272,11 +300,24 @@ class Enumerator {
 
 }  // namespace
 
+namespace {
+
+ImpulseResponse response_of(Candidate const& candidate) {
+  return candidate.second ? in_series(*candidate.first, *candidate.second) : *candidate.first;
+}
+
+}  // namespace
+
 void settle(Candidate& candidate, Judge const& judge) {
   if (candidate.is_settled) return;
-  candidate.figures =
-      judge.figures(candidate.second ? in_series(*candidate.first, *candidate.second) : *candidate.first);
-  candidate.is_settled = true;
+  candidate.figures = judge.figures(response_of(candidate));
+  candidate.is_estimated = candidate.is_settled = true;
+}
+
+void refine(Candidate& candidate, Judge const& judge) {
+  if (candidate.is_estimated) return settle(candidate, judge);
+  candidate.figures = judge.estimate(response_of(candidate));
+  candidate.is_estimated = true;
 }
 
 Enumeration enumerate(Task const& task, Judge const& judge) {

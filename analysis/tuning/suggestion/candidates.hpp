@@ -6,8 +6,10 @@
 // Standard filters: critically damped low-passes of order 1 to 6 with cut-offs from 0.15 to 2 times the
 // lowest resonance, and band-stops on each resonance, with every prototype, orders 1 to 3 and qualities from
 // 1 to 10.
-// Cascades: two low-passes; band-stops on several resonances; any of these before a moving average or a
-// Gaussian kernel (of half widths from 32 on every second, from 64 on every third).
+// Vibration Guard: see guard_candidates.hpp.
+// Cascades: two low-passes; band-stops on several resonances; a low-pass or band-stops before a moving
+// average or a Gaussian kernel (of half widths from 32 on every second, from 64 on every third), or before a
+// Vibration Guard.
 //
 // Chains that deviate on the circle by more than the tolerance, or delay by more than longest_delay, are
 // counted and left out.
@@ -28,10 +30,11 @@ inline constexpr double longest_delay = 0.1;
 
 struct Candidate {
   Chain chain;
-  Figures figures;  ///< Judge::estimate(), once settled Judge::figures()
-  /// Lists may set it without a finding: no band-stop, no overshoot, a kernel of the family that the control
-  /// has.
+  Figures figures;  ///< Judge::bound(), Judge::estimate(), once settled Judge::figures()
+  /// Lists may set it without a finding: no band-stop, no overshoot, a kernel that the control has and that
+  /// no program excludes.
   bool is_clean = true;
+  bool is_estimated = true;  ///< false: the figures are those of Judge::bound()
   bool is_settled = false;
   std::shared_ptr<ImpulseResponse const> first = {},
                                          second = {};  ///< responses in series; the second may be null
@@ -39,6 +42,8 @@ struct Candidate {
 
 /// Does nothing where it is settled.
 void settle(Candidate& candidate, Judge const& judge);
+/// From a bound to an estimate, from an estimate to figures.
+void refine(Candidate& candidate, Judge const& judge);
 
 struct Enumeration {
   std::vector<Candidate> candidates;  ///< that keep the tolerance on the circle

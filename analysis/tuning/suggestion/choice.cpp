@@ -40,7 +40,7 @@ Candidate* cheapest(std::span<Candidate> candidates, Judge const& judge, bool is
     auto& candidate = candidates[index];
     if (candidate.is_settled) return &candidate;
     queue.pop();
-    settle(candidate, judge);
+    refine(candidate, judge);
     add(index);
   }
   return nullptr;

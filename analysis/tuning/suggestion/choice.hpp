@@ -31,7 +31,7 @@ struct Choice {
 /// + 0.01). The price p is the corner's deviation, or the delay where speed is the goal.
 [[nodiscard]] double balance(Figures const& figures, std::optional<Goal> goal);
 
-/// None where every candidate leaves more than useful_vibration. The estimates of candidates are lower
+/// None where every candidate leaves more than useful_vibration. The figures of candidates are lower
 /// bounds, and every price rises with them: those that may be the best are settled, cheapest estimate first,
 /// until no estimate is below the best settled one. So the best is as certain as if all were settled.
 [[nodiscard]] std::optional<Choice> choose(std::span<Candidate> candidates, Judge const& judge,

@@ -61,6 +61,13 @@ std::vector<std::vector<double>> ramps_of(Task const& task) {
   return ramps;
 }
 
+/// Σ a[k] p^(N - 1 - k)
+std::complex<double> rung(std::vector<double> const& a, std::complex<double> p) {
+  std::complex<double> q = 0;
+  for (double const value : a) q = q * p + value;
+  return q;
+}
+
 /// The largest of what each drive gives.
 template <class Swing>
 double largest(std::vector<Drive> const& drives, Swing swing_of) {
@@ -89,7 +96,44 @@ Excitation::Excitation(Task const& task) : ramps_(ramps_of(task)) {
     one.unfiltered_own =
         largest(unfiltered, [&](Drive const& drive) { return swing(drive, one.frequency, one.damping); });
     resonances_.push_back(one);
+    add_places(one);
   }
+}
+
+void Excitation::add_places(Swinging const& one) {
+  double const damping = one.band.least_damping;
+  for (int i = 0; i < places_of_band; ++i) {
+    double const along = static_cast<double>(i) / (places_of_band - 1);
+    double const frequency = one.band.lowest + along * (one.band.highest - one.band.lowest);
+    double const damped = frequency * std::sqrt(1 - damping * damping);
+    Place place{.p = std::exp(std::complex<double>(-frequency * damping, damped)),
+                .share = 1 / (damped * one.unfiltered_worst),
+                .ramps = {}};
+    for (auto const& ramp : ramps_) place.ramps.push_back(rung(ramp, place.p));
+    places_.push_back(std::move(place));
+  }
+}
+
+std::vector<std::complex<double>> Excitation::ringing(ImpulseResponse const& chain) const {
+  std::vector<std::complex<double>> found;
+  found.reserve(places_.size());
+  for (auto const& place : places_) found.push_back(rung(chain.taps, place.p));
+  return found;
+}
+
+double Excitation::at_least_ringing(std::vector<std::complex<double>> const& ringing, std::size_t taps,
+                                    double delay) const {
+  double const late = std::ceil(2 * delay - 1e-6);
+  double const waits = std::max(0.0, late - static_cast<double>(taps - 1));
+  double most = 0;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    auto const& place = places_[i];
+    double const decay = waits == 0 ? 1 : std::pow(std::abs(place.p), waits);
+    for (auto const& ramp : place.ramps) {
+      most = std::max(most, std::abs(ramp * ringing[i]) * decay * place.share);
+    }
+  }
+  return most;
 }
 
 std::vector<Drive> Excitation::drives_behind(ImpulseResponse const& chain) const {

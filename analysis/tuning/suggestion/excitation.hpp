@@ -13,6 +13,8 @@
 #include "analysis/tuning/suggestion/largest_swing.hpp"
 #include "analysis/tuning/suggestion/task.hpp"
 
+#include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace axisc::tuning {
@@ -40,6 +42,13 @@ class Excitation {
   [[nodiscard]] std::vector<Vibration> after(ImpulseResponse const& chain) const;
   /// The largest `worst` is at least this. Cost: a 10th.
   [[nodiscard]] double at_least_after(ImpulseResponse const& chain) const;
+  /// What a chain leaves of an impulse right after its last tap, at places in the bands of the resonances:
+  ///     Σ b[k] p^(N - 1 - k)
+  /// Those of chains in series multiply.
+  [[nodiscard]] std::vector<std::complex<double>> ringing(ImpulseResponse const& chain) const;
+  /// at_least_after() of a chain with this ringing, taps and delay is at least this.
+  [[nodiscard]] double at_least_ringing(std::vector<std::complex<double>> const& ringing, std::size_t taps,
+                                        double delay) const;
   /// These ramps without filters in the place of other ones: shares are those of what `present` leaves
   /// without filters. For the same resonances.
   [[nodiscard]] std::vector<Vibration> beside(Excitation const& present) const;
@@ -51,10 +60,20 @@ class Excitation {
     double unfiltered_worst = 0, unfiltered_own = 0;  ///< swings
   };
 
+  /// A frequency with the least damping: p, and the shares of STEP's worst case that an oscillation q[n] is.
+  struct Place {
+    std::complex<double> p;
+    double share = 0;                         ///< of |q|
+    std::vector<std::complex<double>> ramps;  ///< what each ramp leaves right after its last jump
+  };
+  static constexpr int places_of_band = 5;
+
+  void add_places(Swinging const& one);
   [[nodiscard]] std::vector<Drive> drives_behind(ImpulseResponse const& chain) const;
 
   std::vector<std::vector<double>> ramps_;  ///< a[n] of the unfiltered setpoint; up, and down if that differs
   std::vector<Swinging> resonances_;
+  std::vector<Place> places_;
 };
 
 }  // namespace axisc::tuning

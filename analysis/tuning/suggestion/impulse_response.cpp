@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t longest_response = std::size_t{1} << 17U;
 /// Longer than any kernel: if nothing changes for this long, nothing follows.
-constexpr std::size_t settled_cycles = 256;
+constexpr std::size_t settled_cycles = design::longest_guard + 64;
 constexpr double settled_within = 1e-13;
 constexpr double negligible = 1e-9;
 
@@ -34,7 +34,7 @@ machine::Machine machine_of(std::span<Chain const> chains, design::CycleTime cyc
       ++index;
     }
     if (!chain.kernel) continue;
-    axis.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,
+    axis.kernel = machine::ConfiguredKernel{.family = family_of(chain, machine::KernelFamily::fir),
                                             .index = 0,
                                             .specification = *chain.kernel,
                                             .on_at_start = true};
@@ -102,6 +102,7 @@ ImpulseResponse in_series(ImpulseResponse const& first, ImpulseResponse const& s
                        .delay = first.delay + second.delay};
   for (std::size_t i = 0; i < a.size(); ++i) {
     double const factor = a[i];
+    if (factor == 0) continue;
     double* const target = both.taps.data() + i;
     for (std::size_t k = 0; k < b.size(); ++k) target[k] += factor * b[k];
   }

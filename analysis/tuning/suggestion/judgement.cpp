@@ -1,6 +1,7 @@
 #include "analysis/tuning/suggestion/judgement.hpp"
 
 #include "analysis/motion/contour/contour_predictions.hpp"
+#include "analysis/motion/contour/ramp_answer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,22 +21,22 @@ double overshoot_of(std::vector<double> const& taps) {
   return highest - 1;
 }
 
-/// The answer to a ramp,  r[n+1] = r[n] + Σ_{k≤n} b[k].
-std::vector<double> ramp_answer(ImpulseResponse const& chain) {
-  std::vector<double> ramp{0.0};
-  double step = 0;
-  for (double const tap : chain.taps) {
-    step += tap;
-    ramp.push_back(ramp.back() + step);
-  }
-  ramp.push_back(ramp.back() + step);
-  return ramp;
-}
-
 /// A chain that does not follow a ramp has no corner.
 double corner_of(ImpulseResponse const& chain) {
-  auto const answer = motion::chain_answer(ramp_answer(chain));
+  auto const answer = motion::chain_answer(motion::ramp_answer(chain.taps));
   return answer ? motion::predict_corner({&*answer, 1}, 1, right_angle).deviation : 0;
+}
+
+/// From the median, where the mean distance is least.
+double spread_of(std::vector<double> const& taps) {
+  double sum = 0;
+  std::size_t median = 0;
+  while (median + 1 < taps.size() && (sum += taps[median]) < 0.5) ++median;
+  double spread = 0;
+  for (std::size_t k = 0; k < taps.size(); ++k) {
+    spread += taps[k] * std::abs(static_cast<double>(k) - static_cast<double>(median));
+  }
+  return spread;
 }
 
 /// How far the path passes from the corner itself, on which one axis ends a ramp and the other begins one.
@@ -75,6 +76,27 @@ Figures Judge::estimate(ImpulseResponse const& chain) const {
           .corner = corner_at_least(chain),
           .circle = circle_of(chain),
           .vibration = excitation_.at_least_after(chain)};
+}
+
+ChainSummary Judge::summary(ImpulseResponse const& chain) const {
+  constexpr double rounding = 1e-12;
+  auto const& taps = chain.taps;
+  return {.delay = chain.delay,
+          .taps = taps.size(),
+          .is_positive = std::all_of(taps.begin(), taps.end(), [](double tap) { return tap > -rounding; }),
+          .spread = spread_of(taps),
+          .ringing = excitation_.ringing(chain)};
+}
+
+Figures Judge::bound(ChainSummary const& first, ChainSummary const& second) const {
+  auto ringing = first.ringing;
+  for (std::size_t i = 0; i < ringing.size(); ++i) ringing[i] *= second.ringing[i];
+  double const delay = first.delay + second.delay;
+  return {.delay = delay,
+          .overshoot = 0,
+          .corner = std::max(first.spread, second.spread) / std::numbers::sqrt2,
+          .circle = 0,
+          .vibration = excitation_.at_least_ringing(ringing, first.taps + second.taps - 1, delay)};
 }
 
 double Judge::circle_of(ImpulseResponse const& chain) const {

@@ -44,6 +44,16 @@ void add_fir(std::vector<ListLine>& lines, design::KernelSpecification const& ke
   add("share", format_exact(kernel.share_percent));
 }
 
+void add_guard(std::vector<ListLine>& lines, design::KernelSpecification const& guard) {
+  auto const add = [&](std::string_view name, std::string value) {
+    lines.push_back({.name = "vib_guard." + std::string(name), .value = std::move(value)});
+  };
+  add("active", "1");
+  add("mode", std::to_string(guard.order));
+  add("freq", format_exact(guard.frequency.value));
+  add("damping", format_exact(guard.quality));
+}
+
 void add_hsc(std::vector<ListLine>& lines, design::KernelSpecification const& kernel) {
   bool const is_novib = kernel.type == KernelType::novib;
   auto const add = [&](std::string_view name, std::string value) {
@@ -59,6 +69,7 @@ void add_hsc(std::vector<ListLine>& lines, design::KernelSpecification const& ke
 }  // namespace
 
 std::vector<ListLine> list_lines(Chain const& chain, machine::KernelFamily family) {
+  family = family_of(chain, family);
   bool const is_hsc = chain.kernel && family == machine::KernelFamily::hsc;
   std::vector<ListLine> lines;
   if (is_hsc) add_hsc(lines, *chain.kernel);
@@ -77,15 +88,19 @@ std::vector<ListLine> list_lines(Chain const& chain, machine::KernelFamily famil
     add("share_percent", format_exact(filter.share_percent));
     ++index;
   }
-  if (chain.kernel && !is_hsc) add_fir(lines, *chain.kernel);
+  if (has_guard(chain)) {
+    add_guard(lines, *chain.kernel);
+  } else if (chain.kernel && !is_hsc) {
+    add_fir(lines, *chain.kernel);
+  }
   return lines;
 }
 
 std::optional<std::string> filter_command(Chain const& chain, machine::KernelFamily family,
                                           double tolerance) {
   if (!chain.kernel) return std::nullopt;
-  if (family == machine::KernelFamily::hsc) return "#FILTER ON [HSC]";
-  return "#FILTER ON [AX_DEV=" + format_exact(tolerance) + "]";
+  if (family_of(chain, family) == machine::KernelFamily::hsc) return "#FILTER ON [HSC]";
+  return (has_guard(chain) ? "#VIB GUARD" : "#FILTER") + (" ON [AX_DEV=" + format_exact(tolerance) + "]");
 }
 
 std::string short_name(Chain const& chain, Language language) {

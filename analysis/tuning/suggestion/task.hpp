@@ -22,6 +22,13 @@ struct Resonance {
 /// The goal: surface asks for little vibration, accuracy for little deviation, speed for a short delay.
 enum class Goal : std::uint8_t { surface, accuracy, speed };
 
+/// Whether lists of the machine may have a kernel of some families.
+enum class Standing : std::uint8_t {
+  allowed,
+  excluded,  ///< by a command in a program of the channel: lists with it would have findings
+  unknown,   ///< to the build of the control
+};
+
 /// Lengths are position units, velocities units per cycle.
 struct Task {
   design::CycleTime cycle_time;
@@ -33,15 +40,26 @@ struct Task {
   std::optional<Goal> goal = std::nullopt;
   /// HSC: the control's build does not have FIR filters.
   machine::KernelFamily family = machine::KernelFamily::fir;
-  design::Readings readings{};  ///< how the control computes its filters
+  Standing kernels = Standing::allowed;  ///< of that family; #VIB GUARD excludes them
+  Standing guards = Standing::allowed;   ///< Vibration Guard; #FILTER excludes it
+  design::Readings readings{};           ///< how the control computes its filters
 };
 
-/// A setpoint chain: standard filters one after the other, then a kernel.
+/// A setpoint chain: standard filters one after the other, then a kernel, which may be a Vibration Guard.
 struct Chain {
   std::vector<design::FilterSpecification> filters = {};
   std::optional<design::KernelSpecification> kernel = std::nullopt;
 
   friend bool operator==(Chain const&, Chain const&) = default;
 };
+
+[[nodiscard]] inline bool has_guard(Chain const& chain) {
+  return chain.kernel && chain.kernel->type == design::KernelType::vibration_guard;
+}
+
+/// Of the chain's kernel, on a control whose linear-phase kernels are of `linear_phase`.
+[[nodiscard]] inline machine::KernelFamily family_of(Chain const& chain, machine::KernelFamily linear_phase) {
+  return has_guard(chain) ? machine::KernelFamily::guard : linear_phase;
+}
 
 }  // namespace axisc::tuning

@@ -36,7 +36,7 @@ Value feed(std::optional<double> const& value) {
 
 /// The figures of a setting; people compare those that have a label.
 std::vector<Field> figures_of(Suggestion const& suggestion, Setting const& setting) {
-  auto const& [chain, figures, corner, circle, corner_feed, circle_feed] = setting;
+  auto const& [chain, figures, corner, circle, corner_feed, circle_feed, guard] = setting;
   std::vector<Field> fields{data("chain", name_of(chain).in(Language::english)),
                             {"remaining_vibration", says::vibration, share(figures.vibration)}};
   for (std::size_t i = 0; i < suggestion.task.resonances.size(); ++i) {
@@ -76,6 +76,7 @@ Section setting_section(std::string key, Suggestion const& suggestion, Setting c
   }
   auto section = data_section(std::move(key), figures_of(suggestion, setting));
   section.blocks.emplace_back(std::move(resonances));
+  if (setting.guard) section.blocks.emplace_back(coverage_section(*setting.guard));
   return section;
 }
 

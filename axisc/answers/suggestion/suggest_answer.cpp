@@ -36,6 +36,21 @@ constexpr Sentence other_family{
     "nicht vorgeschlagen: {chain} lässt {vibration} bei einer Verzögerung von {delay}, aber diese "
     "Steuerung hat andere linearphasige Filter (AX4007)"};
 
+constexpr Sentence excluded_guard{
+    "not suggested: {chain} leaves {vibration} at a delay of {delay}, but a program uses #FILTER, with which "
+    "no list may activate Vibration Guard (AX5004)",
+    "nicht vorgeschlagen: {chain} lässt {vibration} bei einer Verzögerung von {delay}, aber ein Programm "
+    "verwendet #FILTER, mit dem keine Liste den Vibration Guard aktivieren darf (AX5004)"};
+constexpr Sentence excluded_kernel{
+    "not suggested: {chain} leaves {vibration} at a delay of {delay}, but a program uses #VIB GUARD, which "
+    "excludes FIR and HSC filters (AX5005, AX4005)",
+    "nicht vorgeschlagen: {chain} lässt {vibration} bei einer Verzögerung von {delay}, aber ein Programm "
+    "verwendet #VIB GUARD, das FIR- und HSC-Filter ausschließt (AX5005, AX4005)"};
+constexpr Sentence present_guard{"present: {chain}", "jetzt: {chain}"};
+constexpr Sentence replaces_guard{
+    "the Vibration Guard of the lists is switched off; its parameters stay, unused (AX3029)",
+    "der Vibration Guard der Listen wird ausgeschaltet; seine Parameter bleiben ungenutzt stehen (AX3029)"};
+
 constexpr Sentence least_deviation{"least deviation", "geringste Abweichung"};
 constexpr Sentence balanced{"balanced", "ausgewogen"};
 constexpr Sentence least_vibration{"least vibration", "geringste Schwingung"};
@@ -78,7 +93,11 @@ Section alternative_section(Suggestion const& suggestion, std::size_t index) {
                                     data("command", alternative.command)}},
                              setting_section({}, suggestion, alternative.setting)},
                   .identity = {data("number", index + 1)}};
+  if (alternative.setting.guard) {
+    section.blocks.emplace_back(Paragraph{coverage_words(*alternative.setting.guard)});
+  }
   add_lines(section.blocks, alternative.axes, alternative.findings);
+  if (alternative.replaces_guard) section.blocks.emplace_back(Paragraph{says::replaces_guard});
   section.blocks.emplace_back(command_of(alternative));
   return section;
 }
@@ -97,11 +116,17 @@ void add_measured(std::vector<Block>& blocks, MeasuredResonances const& measured
   if (measured.kind == tuning::MeasurementKind::spectrum) blocks.emplace_back(Paragraph{says::spectrum});
 }
 
+SentenceRef why_not_suggested(tuning::Candidate const& candidate, tuning::Task const& task) {
+  if (candidate.figures.overshoot > tuning::largest_overshoot) return says::overshoots;
+  if (tuning::has_guard(candidate.chain)) return says::excluded_guard;
+  bool const is_excluded = candidate.chain.kernel && task.kernels == tuning::Standing::excluded;
+  return is_excluded ? SentenceRef(says::excluded_kernel) : says::other_family;
+}
+
 /// What weighs less than the balanced setting.
 Paragraph not_suggested(Suggestion const& suggestion) {
   auto const& figures = suggestion.not_clean->figures;
-  bool const swings = figures.overshoot > tuning::largest_overshoot;
-  return {Words(swings ? SentenceRef(says::overshoots) : says::other_family,
+  return {Words(why_not_suggested(*suggestion.not_clean, suggestion.task),
                 {{"chain", name_of(suggestion.not_clean->chain)},
                  {"vibration", fixed(figures.vibration, Unit::share, 1)},
                  {"delay", delay_of(suggestion, figures)},
@@ -135,6 +160,11 @@ void add_filters(presentation::Document& answer, Suggestion const& suggestion) {
     blocks.emplace_back(Facts{{data("present", {})}});
   }
   blocks.emplace_back(settings_table(suggestion));
+  if (suggestion.present && suggestion.present->guard) {
+    blocks.emplace_back(
+        Paragraph{Words(says::present_guard, {{"chain", name_of(suggestion.present->chain)}})});
+    blocks.emplace_back(Paragraph{coverage_words(*suggestion.present->guard)});
+  }
   if (suggestion.not_clean) blocks.emplace_back(not_suggested(suggestion));
   Sections alternatives{.key = "alternatives", .items = {}};
   for (std::size_t i = 0; i < tuning::senses; ++i) {

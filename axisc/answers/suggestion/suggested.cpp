@@ -8,6 +8,7 @@
 #include "design/units.hpp"
 #include "diagnostics/format_number.hpp"
 #include "validator/loading/build_version.hpp"
+#include "validator/views/channel.hpp"
 
 #include <algorithm>
 
@@ -67,7 +68,12 @@ tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& s
     remark = {says::feed_limited, {{"axis", axis.name}, {"limit", format_rounded(limit, 6)}}};
   }
   auto const& build = subject.loaded.build;
-  bool const knows_fir = !build || !(*build < validator::builds::fir_command);
+  auto const knows = [&](validator::BuildVersion const& since) { return !build || !(*build < since); };
+  auto const& channel = subject.loaded.groups[subject.group];
+  auto const excluded_by = [&](grammar::CommandKind kind) {
+    return validator::has_command(subject.loaded, channel, kind) ? tuning::Standing::excluded
+                                                                 : tuning::Standing::allowed;
+  };
   return {.cycle_time = machine.cycle_time,
           .resonances = {},
           .velocity = path_velocity(feed, machine.cycle_time),
@@ -75,7 +81,11 @@ tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& s
           .tolerance = question.tolerance_mm * motion::units_per_mm,
           .radius = question.radius_mm * motion::units_per_mm,
           .goal = question.goal,
-          .family = knows_fir ? machine::KernelFamily::fir : machine::KernelFamily::hsc,
+          .family =
+              knows(validator::builds::fir_command) ? machine::KernelFamily::fir : machine::KernelFamily::hsc,
+          .kernels = excluded_by(grammar::CommandKind::vibration_guard),
+          .guards = knows(validator::builds::fir) ? excluded_by(grammar::CommandKind::filter)
+                                                  : tuning::Standing::unknown,
           .readings = subject.loaded.readings};
 }
 

@@ -15,6 +15,8 @@ namespace {
 
 using tuning::Chain;
 
+/// The rule about parameters of a guard that nothing switches on.
+constexpr std::string_view guard_unused = "AX3029";
 constexpr double right_angle = std::numbers::pi / 2;
 
 Chain chain_of(machine::AxisConfiguration const& axis) {
@@ -25,7 +27,8 @@ Chain chain_of(machine::AxisConfiguration const& axis) {
 }
 
 machine::Machine with_chain(machine::Machine machine, std::vector<std::size_t> const& axes,
-                            Chain const& chain, machine::KernelFamily family) {
+                            Chain const& chain, machine::KernelFamily linear_phase) {
+  auto const family = tuning::family_of(chain, linear_phase);
   for (auto const index : axes) {
     auto& axis = machine.axes[index];
     axis.filters.clear();
@@ -39,7 +42,7 @@ machine::Machine with_chain(machine::Machine machine, std::vector<std::size_t> c
     axis.kernel = machine::ConfiguredKernel{.family = family,
                                             .index = 0,
                                             .specification = *chain.kernel,
-                                            .on_at_start = family == machine::KernelFamily::fir};
+                                            .on_at_start = family != machine::KernelFamily::hsc};
   }
   return machine;
 }
@@ -76,6 +79,10 @@ bool does_the_same(tuning::ImpulseResponse const& one, tuning::ImpulseResponse c
     if (std::abs(apart) > noticeable) return false;
   }
   return true;
+}
+
+bool has_active_guard(machine::AxisConfiguration const& axis) {
+  return axis.kernel && axis.kernel->family == machine::KernelFamily::guard && axis.kernel->on_at_start;
 }
 
 std::array<std::size_t, tuning::senses> proposed(std::array<tuning::Candidate, tuning::senses> const& chosen,
@@ -140,14 +147,16 @@ std::variant<NoSuggestion, Suggestion> suggestion_for(SuggestionSubject const& s
   auto const present = chain_of(machine.axes[subject.axis]);
   auto const response = tuning::impulse_responses(std::span(&present, 1), task.cycle_time).front();
   if (!response.blocks_constant()) {
-    found.present = Setting{.chain = present, .figures = judge.figures(response)};
+    found.present =
+        Setting{.chain = present, .figures = judge.figures(response), .guard = guard_coverage(present, task)};
     predict(*found.present, machine, subject, task);
   }
   NewFindings const findings(subject.path, subject.workspace);
   for (std::size_t i = 0; i < tuning::senses; ++i) {
     auto const& chain = choice->chosen[i].chain;
     auto& alternative = found.alternatives[i];
-    alternative.setting = {.chain = chain, .figures = choice->chosen[i].figures};
+    alternative.setting = {
+        .chain = chain, .figures = choice->chosen[i].figures, .guard = guard_coverage(chain, task)};
     predict(alternative.setting, with_chain(machine, axes, chain, task.family), subject, task);
     for (auto const axis : axes) {
       alternative.axes.push_back(lines_of(subject.loaded, axis, chain, task.family));
@@ -156,6 +165,11 @@ std::variant<NoSuggestion, Suggestion> suggestion_for(SuggestionSubject const& s
     if (!alternative.edits.refused) {
       alternative.findings = findings.of(alternative.edits.edited);
     }
+    alternative.replaces_guard =
+        !tuning::has_guard(chain) && std::any_of(axes.begin(), axes.end(), [&](std::size_t axis) {
+          return has_active_guard(machine.axes[axis]);
+        });
+    if (alternative.replaces_guard) std::erase(alternative.findings, guard_unused);
     alternative.command = tuning::filter_command(chain, task.family, programmed_tolerance(task, machine));
   }
   found.tolerance_mm = task.tolerance / motion::units_per_mm;

@@ -4,6 +4,7 @@
 #include "analysis/motion/contour/contour_predictions.hpp"
 #include "analysis/tuning/suggestion/choice.hpp"
 #include "axisc/answers/suggestion/chain_edits.hpp"
+#include "axisc/answers/suggestion/guard_coverage.hpp"
 #include "axisc/answers/suggestion/measured_resonances.hpp"
 #include "axisc/workspace/workspace.hpp"
 #include "configuration/machine/machine.hpp"
@@ -23,6 +24,7 @@ struct Setting {
   tuning::Figures figures;
   motion::ContourFigures corner = {}, circle = {};  ///< at the feed, of all axes together
   std::optional<double> corner_feed = {}, circle_feed = {};
+  std::optional<GuardCoverage> guard = {};  ///< of the chain's Vibration Guard
 };
 
 struct Alternative {
@@ -32,6 +34,9 @@ struct Alternative {
   ListEdits edits;
   std::vector<std::string>
       findings;  ///< codes that the edited lists would have and the present ones have not
+  /// Switches a Vibration Guard of the lists off, whose parameters are unused then (AX3029): that is said in
+  /// words, and no reason against the setting.
+  bool replaces_guard = false;
 };
 
 struct Suggestion {

@@ -55,7 +55,8 @@ TEST_CASE("suggest answers in two languages and as JSON") {
   for (auto const& alternative : found["alternatives"]) {
     CHECK(alternative["axes"].size() == 3);
     CHECK(alternative["findings"].empty());
-    CHECK(alternative["command"] == "#FILTER ON [AX_DEV=0.01]");
+    std::string const kind = alternative.contains("guard") ? "#VIB GUARD" : "#FILTER";
+    CHECK(alternative["command"] == kind + " ON [AX_DEV=0.01]");
     CHECK(alternative["circle"]["max_axis_error_um"] <= 10.0);
     CHECK(alternative["remaining_vibration"] < found["present"]["remaining_vibration"]);
   }
@@ -132,7 +133,8 @@ TEST_CASE("each suggestion can be written, is then present, and has no findings"
     CHECK(outcome.status == 0);
     auto const chosen =
         std::string(number == "1" ? "1 least deviation" : "2 balanced (recommended), 3 least vibration") +
-        ": " + wanted["chain"].get<std::string>() + "\nNC program: #FILTER ON [AX_DEV=0.01]\n";
+        ": " + wanted["chain"].get<std::string>() + "\nNC program: " + wanted["command"].get<std::string>() +
+        "\n";
     // The sentence is longer than a line.
     auto const in_one_line = [](std::string text) {
       std::replace(text.begin(), text.end(), '\n', ' ');
@@ -211,20 +213,21 @@ TEST_CASE("nothing is written where a list must not be changed", "[posix]") {
 TEST_CASE("a setting that the check objects to is not written") {
   TemporaryFolder const folder;
   auto const there = sample(folder);
-  // A program that uses the guard rules FIR filters out.
+  // A program switches HSC filters on, which FIR filters replace.
   for (std::string const axis : {"x", "y", "z"}) {
     auto const list = folder.read(axis + ".lis");
     folder.write(axis + ".lis",
-                 "filter_fir.type 0\n" + list.substr(0, list.find("filter_fir.enable")) + "Ende\n");
+                 list.substr(0, list.find("filter_fir.enable")) +
+                     "filter[0].prototype HSC\nfilter[0].type HSC_MEAN\nfilter[0].order 20\nEnde\n");
   }
-  folder.write("part.nc", "#VIB GUARD ON\nM30\n");
+  folder.write("part.nc", "#FILTER ON [HSC]\nM30\n");
   auto const machine = folder.read("machine.json");
   folder.write("machine.json", machine.substr(0, machine.rfind('}')) + R"(, "programs": ["part.nc"]})");
   auto const found = suggested(there);
-  CHECK(found["alternatives"][1]["findings"] == json{"AX5005"});
+  CHECK(found["alternatives"][1]["findings"] == json{"AX5010"});
   auto const outcome = suggest(there, {"--apply", "2"});
   CHECK(outcome.status == 2);
-  CHECK(outcome.err.find("AX5005") != std::string::npos);
+  CHECK(outcome.err.find("AX5010") != std::string::npos);
 }
 
 TEST_CASE(
@@ -245,7 +248,7 @@ TEST_CASE(
   auto machine = json::parse(folder.read("machine.json"));
   machine["inch"] = true;
   folder.write("machine.json", machine.dump());
-  CHECK(suggested(there)["alternatives"][1]["command"] == "#FILTER ON [AX_DEV=0.000393]");
+  CHECK(suggested(there)["alternatives"][1]["command"] == "#VIB GUARD ON [AX_DEV=0.000393]");
 }
 
 TEST_CASE("suggest refuses what it cannot answer") {

@@ -34,7 +34,7 @@ namespace {
 
 void describe(Finding& finding, design::KernelSpecification const& guard, design::CycleTime cycle_time) {
   bool const fits = can_be_compiled(guard, cycle_time);
-  double const limit = fits ? longest_usual_guard : design::longest_guard;
+  double const limit = fits ? design::longest_usual_guard : design::longest_guard;
   if (fits) finding.severity = Severity::note;
   finding.notes.push_back({fits ? says::limit_unknown : says::too_long, {{"limit", number(limit)}}});
   double const lowest = design::lowest_guard_frequency(guard, cycle_time, limit).value;
@@ -46,7 +46,7 @@ void describe(Finding& finding, design::KernelSpecification const& guard, design
 }
 
 bool is_slow(design::KernelSpecification const& guard, design::CycleTime cycle_time) {
-  return design::guard_length(guard, cycle_time) > longest_usual_guard;
+  return design::guard_length(guard, cycle_time) > design::longest_usual_guard;
 }
 
 Wording cycles_of(design::KernelSpecification const& guard, design::CycleTime cycle_time) {

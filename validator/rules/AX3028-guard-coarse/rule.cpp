@@ -50,7 +50,7 @@ std::optional<Coarse> coarse(design::KernelSpecification const& guard, design::C
   if (!can_be_compiled(guard, cycle_time)) return std::nullopt;
   Coarse found{.kernel = design::design_kernel(guard, cycle_time)};
   found.residual = design::residual_at_design(found.kernel, guard, cycle_time);
-  return found.residual > usual_residual ? std::optional(std::move(found)) : std::nullopt;
+  return found.residual > design::usual_residual ? std::optional(std::move(found)) : std::nullopt;
 }
 
 void guard_coarse(AxisContext const& axis, Report& report) {
