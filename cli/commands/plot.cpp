@@ -84,9 +84,9 @@ void declare(CommandLine& command_line, PlotOptions& options) {
                       options.target.format, says::option_picture_format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, question.alone);
-  command_line.only_for("response, step, delay, corner, circle, dynamics");
+  command_line.only_for("response, step, delay, corner, circle, dynamics, robustness");
   command_line.value("--before", "OTHER", question.before, says::option_before);
-  command_line.only_for("response, step, delay, dynamics, compare");
+  command_line.only_for("response, step, delay, dynamics, robustness, compare");
   command_line.value("--axis", "NAME", question.axis, says::option_plotted_axis);
   command_line.only_for("response, step, delay, compare");
   command_line.values("--at", "CYCLE:COMMAND", question.commands, says::option_at);

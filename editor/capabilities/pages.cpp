@@ -38,7 +38,7 @@ namespace axisc::editor {
 namespace {
 
 /// The kinds of pictures that need nothing but the machine come first.
-constexpr std::ptrdiff_t drawn_without_more = 6;
+constexpr std::ptrdiff_t drawn_without_more = 7;
 
 Page machine_page(PageSubject const& subject) {
   auto const language = subject.language;

@@ -16,6 +16,7 @@ export const kinds = {
   corner: { of: 'contour' },
   circle: { of: 'contour' },
   dynamics: { of: 'axes' },
+  robustness: { of: 'axes' },
   path: { of: 'program' },
   plant: { of: 'plant' },
 } as const satisfies Record<string, Kind>;

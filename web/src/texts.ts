@@ -56,6 +56,7 @@ const texts = {
   corner: ['Corner', 'Ecke'],
   circle: ['Circle', 'Kreis'],
   dynamics: ['Velocity and acceleration', 'Geschwindigkeit und Beschleunigung'],
+  robustness: ['Robustness of Vibration Guard', 'Robustheit des Vibration Guard'],
   path: ['Path of a program', 'Bahn eines Programms'],
   program: ['Program', 'Programm'],
   plant: ['Position loop', 'Lageregelkreis'],

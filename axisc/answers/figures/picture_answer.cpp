@@ -6,6 +6,7 @@
 #include "axisc/answers/figures/path_figure.hpp"
 #include "axisc/answers/figures/plant_figure.hpp"
 #include "axisc/answers/figures/plotted_groups.hpp"
+#include "axisc/answers/figures/robustness_figure.hpp"
 #include "axisc/answers/simulation/followed_program.hpp"
 #include "axisc/asked/frequencies.hpp"
 #include "axisc/checking/compiled_input.hpp"
@@ -116,6 +117,7 @@ pictures::Figure axes_figure(PictureQuestion const& question, Plotted& now, Plot
                             .language = question.language};
   if (question.kind == PictureKind::step) return step_figure(subject);
   if (question.kind == PictureKind::delay) return delay_figure(subject);
+  if (question.kind == PictureKind::robustness) return robustness_figure(subject);
   auto response = question.response;
   if (question.measured) response.measured = read_measured_response(*question.measured);
   response.marks = frequencies_of(question.marks, contents.cycle_time);
@@ -225,6 +227,7 @@ std::optional<pictures::Figure> picture_answer(Workspace& workspace, PictureQues
     case PictureKind::dynamics: figure = driven_figure(question, *now, before ? &*before : nullptr); break;
     case PictureKind::response:
     case PictureKind::step:
+    case PictureKind::robustness:
     case PictureKind::delay: figure = axes_figure(question, *now, before ? &*before : nullptr); break;
   }
   if (figure) figure->shows_table = before.has_value();

@@ -25,6 +25,7 @@ enum class PictureKind : std::uint8_t {
   corner,
   circle,
   dynamics,
+  robustness,
   path,
   plant,
   compare
@@ -32,9 +33,11 @@ enum class PictureKind : std::uint8_t {
 
 /// With their words.
 inline std::initializer_list<std::pair<std::string_view, PictureKind>> const picture_kinds = {
-    {"response", PictureKind::response}, {"step", PictureKind::step},     {"delay", PictureKind::delay},
-    {"corner", PictureKind::corner},     {"circle", PictureKind::circle}, {"dynamics", PictureKind::dynamics},
-    {"path", PictureKind::path},         {"plant", PictureKind::plant},   {"compare", PictureKind::compare}};
+    {"response", PictureKind::response},     {"step", PictureKind::step},
+    {"delay", PictureKind::delay},           {"corner", PictureKind::corner},
+    {"circle", PictureKind::circle},         {"dynamics", PictureKind::dynamics},
+    {"robustness", PictureKind::robustness}, {"path", PictureKind::path},
+    {"plant", PictureKind::plant},           {"compare", PictureKind::compare}};
 [[nodiscard]] std::string_view word_of(PictureKind kind);
 
 struct PictureQuestion {

@@ -1,3 +1,4 @@
+#include "axisc/answers/figures/robustness_figure.hpp"
 #include "axisc/answers/inspect/inspect_answer.hpp"
 #include "axisc/answers/inspect/inspect_parts.hpp"
 #include "axisc/answers/report/report_page.hpp"
@@ -55,6 +56,15 @@ class AxisAlone {
   PlotSubject plots_;
 };
 
+/// Of an axis that has a Vibration Guard, or had one.
+void add_robustness(std::vector<Block>& blocks, PlotSubject const& plots, std::size_t axis) {
+  auto const old = plots.axis_before(axis);
+  if (!has_guard(plots.contents(), axis) && !(old && has_guard(plots.before->contents(), *old))) return;
+  PlotSubject one = plots;
+  one.axes = {axis};
+  blocks.emplace_back(Picture{robustness_figure(one)});
+}
+
 /// From rest to rest, beside the earlier state where that is a machine. Nothing of an axis that no channel
 /// moves.
 void add_dynamics(std::vector<Block>& blocks, PlotSubject const& plots, std::size_t axis) {
@@ -90,6 +100,7 @@ ReportBlocks axes_section(ReportSubject const& subject) {
     } else {
       blocks.emplace_back(Paragraph{says::no_axis_filter});
     }
+    add_robustness(blocks, *subject.plots, axis);
     add_dynamics(blocks, *subject.plots, axis);
     if (has_filter || !compiled.interface_filters.empty() || compiled.control) {
       // What `inspect` says of the axis, without the head of the image.

@@ -47,6 +47,7 @@ std::vector<GalleryPicture> const gallery = {
     {"unlike-response", {"REPAIRED"}},
     {"square-dynamics", {"samples/motion/square", "--kind", "dynamics"}},
     {"dynamics-x", {"samples/motion/dynamics", "--kind", "dynamics", "--axis", "X", "--distance", "10"}},
+    {"guard-robustness", {"samples/motion/guard", "--kind", "robustness"}},
     {"rack-plant",
      {"samples/motion/rack", "--kind", "plant", "--plant", "samples/motion/rack/plant.json", "--move",
       "X:800:31800"}}};

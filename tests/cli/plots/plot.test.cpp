@@ -225,18 +225,20 @@ TEST_CASE("the documentation shows what the program draws") {
            {"corner", {"--kind", "corner", "--feed", "1000,2000,4000"}},
            {"circle", {"--kind", "circle", "--feed", "2000,4000"}},
            {"dynamics", {"--kind", "dynamics", "--axis", "X"}},
+           {"robustness", {"--kind", "robustness"}},
            {"path", {"--kind", "path", "--program", square + "square.nc", "--tolerance", "0.1"}},
            {"plant", {"--kind", "plant", "--plant", rack + "plant.json", "--move", "X:800:31800"}},
            {"compare", {"--kind", "compare", "--recording", scope + "scope.csv", "--cycle-time", "1ms"}},
            {"change", {"--before", "old/machine.json", "--axis", "X"}}}) {
-    std::vector<std::string> words{"plot",
-                                   name == "plant"      ? rack + "machine.json"
-                                   : name == "path"     ? square + "machine.json"
-                                   : name == "dynamics" ? AXISC_SOURCE_DIR
-                                       "/samples/motion/dynamics/machine.json"
-                                   : name == "compare" ? scope + "x.lis"
-                                                       : mill,
-                                   "-o", "-"};
+    std::vector<std::string> words{
+        "plot",
+        name == "plant"        ? rack + "machine.json"
+        : name == "path"       ? square + "machine.json"
+        : name == "robustness" ? AXISC_SOURCE_DIR "/samples/motion/guard/machine.json"
+        : name == "dynamics"   ? AXISC_SOURCE_DIR "/samples/motion/dynamics/machine.json"
+        : name == "compare"    ? scope + "x.lis"
+                               : mill,
+        "-o", "-"};
     words.insert(words.end(), options.begin(), options.end());
     auto const outcome = run_axisc(words, there);
     CHECK(outcome.status == 0);

@@ -64,7 +64,7 @@ TEST_CASE("commands give pages of what is in the editor") {
   CHECK(ask(text, {"axisc.report"})["title"] == "Report: machine.json");
   auto const report = ask(text + "kopf.unsaved_name 1\n", {"axisc.report"})["html"].get<std::string>();
   CHECK(report.find("kopf.unsaved_name") != std::string::npos);
-  for (auto const* const kind : {"response", "step", "delay", "corner", "circle", "dynamics"}) {
+  for (auto const* const kind : {"response", "step", "delay", "corner", "circle", "dynamics", "robustness"}) {
     CHECK(ask(text, {"axisc.plot", kind})["html"].get<std::string>().find("<svg") != std::string::npos);
   }
   CHECK(ask(text, {"axisc.machine"})["html"].get<std::string>().find("x.lis") != std::string::npos);

@@ -2,7 +2,7 @@
 import * as vscode from 'vscode';
 import type { BaseLanguageClient } from 'vscode-languageclient';
 
-const kinds = ['response', 'step', 'delay', 'corner', 'circle', 'dynamics'];
+const kinds = ['response', 'step', 'delay', 'corner', 'circle', 'dynamics', 'robustness'];
 
 async function call(client: BaseLanguageClient, command: string, ...more: string[]): Promise<void> {
   // While a page has the focus there is no active text editor.
