@@ -106,7 +106,7 @@ std::string filter_figures(OpenList const& list, std::string_view name, bool mar
   if (list.axis() == nullptr) return {};
   auto const cycle_time = list.cycle_time();
   if (name.starts_with("vib_guard.")) {
-    return "\n" + listed_guard_text(list.axis()->merged.values, cycle_time, language) + "\n";
+    return "\n" + listed_guard_text(*list.axis(), cycle_time, language) + "\n";
   }
   validator::AxisViews const views(list.axis()->merged.values, cycle_time);
   auto const* const filter = filter_named(views.filters, name);

@@ -63,7 +63,7 @@ std::string guard_of_axis(validator::LoadedAxis const& axis, design::CycleTime c
       guard && axis.type != machine::AxisType::spindle && validator::can_be_compiled(*guard, cycle_time);
   if (!is_there) return say(says::axis_without_guard, language, {{"axis", axis.name}});
   return say(says::axis_guard, language,
-             {{"axis", axis.name}, {"figures", guard_text(*guard, cycle_time, language)}});
+             {{"axis", axis.name}, {"figures", guard_text(*guard, axis, cycle_time, language)}});
 }
 
 std::string line_of_axis(validator::LoadedAxis const& axis, design::CycleTime cycle_time,
