@@ -1,9 +1,11 @@
 // Where an axis changes its velocity most.
 #pragma once
 
-#include "analysis/comparison/signal.hpp"
+#include "analysis/recordings/signal.hpp"
 
 namespace axisc::comparison {
+
+using recordings::Signal;
 
 /// The first cycle of the part of `length` cycles with the most changes of velocity; 0 where the signal is
 /// not longer.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "analysis/comparison/readings.hpp"
-#include "analysis/comparison/signal.hpp"
+#include "analysis/recordings/signal.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include <vector>
 
 namespace axisc::comparison {
+
+using recordings::Signal;
 
 /// The two columns of a recording, a value a cycle, in the same unit.
 struct Recording {

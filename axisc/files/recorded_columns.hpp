@@ -2,7 +2,8 @@
 #pragma once
 
 #include "analysis/comparison/verdict.hpp"
-#include "analysis/recordings/text_lines.hpp"
+#include "axisc/files/recorded_choice.hpp"
+#include "axisc/files/recording_file.hpp"
 #include "design/units.hpp"
 
 #include <cstddef>
@@ -17,13 +18,13 @@ struct WantedColumns {
 
 struct RecordedColumns {
   std::string input_name, output_name;
-  comparison::Recording recording;  ///< lost cycles, by the column of the time, are interpolated
+  ChosenColumn input, output;
+  comparison::Recording recording;  ///< lost cycles, by the times, are interpolated
   std::size_t repeated = 0;         ///< rows that were recorded twice and are left out
 };
 
-/// Rows as in recorded_signals.hpp; without names the only two columns that are no time. `name` is the file
-/// in messages. Failure (AX9005) for a mistake.
-[[nodiscard]] RecordedColumns read_recorded_columns(std::string const& name, recordings::ByteSource source,
+/// Columns as in recorded_choice.hpp, in the units of the file. Failure (AX9005) for a mistake.
+[[nodiscard]] RecordedColumns read_recorded_columns(RecordingFile const& file, AxisPlace const& axis,
                                                     WantedColumns const& wanted,
                                                     design::CycleTime cycle_time);
 

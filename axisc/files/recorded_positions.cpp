@@ -23,42 +23,56 @@ constexpr Sentence foreign_axis{"--in {axis}={column}: the channel has the axes 
 
 namespace axisc {
 
-RecordedPositions read_recorded_positions(std::string const& file, recordings::ByteSource source,
-                                          std::vector<std::string> const& axes,
-                                          std::vector<AxisColumn> const& named,
-                                          design::CycleTime cycle_time) {
+namespace {
+
+/// Called like the axis; none of several that differ.
+std::optional<ChosenColumn> column_called(RecordingFile const& file, std::string const& axis) {
+  auto const& channels = file.recording.channels;
+  auto const found = std::find_if(channels.begin(), channels.end(), [&](recordings::Channel const& channel) {
+    return ascii::equal_ignoring_case(channel.name, axis);
+  });
+  if (found == channels.end()) return std::nullopt;
+  auto const channel = static_cast<std::size_t>(found - channels.begin());
+  return ChosenColumn{.channel = channel, .by = FoundBy::name, .object = recordings::object_of(*found)};
+}
+
+}  // namespace
+
+RecordedPositions read_recorded_positions(RecordingFile const& file, machine::Machine const& machine,
+                                          std::size_t group, bool in_machine,
+                                          std::vector<AxisColumn> const& named) {
+  std::vector<std::string> axes;
+  for (auto const axis : machine.groups[group].axes) axes.push_back(machine.axes[axis].name);
   for (auto const& each : named) {
     if (std::find(axes.begin(), axes.end(), each.axis) != axes.end()) continue;
     throw Failure(
         {says::foreign_axis, {{"axis", each.axis}, {"column", each.column}, {"axes", joined(axes)}}});
   }
   RecordedPositions found;
-  auto const choose = [&](ColumnNames const& columns) {
-    std::vector<std::size_t> chosen;
-    auto const values = columns.values();
-    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-      auto const by_option = std::find_if(named.begin(), named.end(),
-                                          [&](AxisColumn const& each) { return each.axis == axes[axis]; });
-      auto const by_name = std::find_if(values.begin(), values.end(), [&](std::size_t column) {
-        return ascii::equal_ignoring_case(columns.names[column], axes[axis]);
-      });
-      bool const is_only = axes.size() == 1 && values.size() == 1;
-      if (by_option == named.end() && by_name == values.end() && !is_only) continue;
-      found.axes.push_back(axis);
-      if (by_option != named.end()) {
-        chosen.push_back(columns.index_of(by_option->column));
-      } else {
-        chosen.push_back(is_only ? values.front() : *by_name);
-      }
-    }
-    if (chosen.empty()) {
-      throw Failure(
-          {says::no_axis_column, {{"file", file}, {"axes", joined(axes)}, {"known", columns.known()}}},
-          csv_malformed);
-    }
-    return chosen;
-  };
-  found.recorded = read_recorded_signals(file, std::move(source), choose, cycle_time);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    auto const by_option = std::find_if(named.begin(), named.end(),
+                                        [&](AxisColumn const& each) { return each.axis == axes[i]; });
+    auto const place = axis_place(machine, machine.groups[group].axes[i], in_machine);
+    auto column = by_option != named.end() ? std::optional(named_column(file, by_option->column))
+                                           : find_column(file, place, recordings::Object::position_unfiltered,
+                                                         "--in " + axes[i] + "=");
+    if (!column) column = column_called(file, axes[i]);
+    bool const is_only = axes.size() == 1 && file.recording.channels.size() == 1 &&
+                         file.recording.form == recordings::Form::columns;
+    if (!column && is_only) column = ChosenColumn{.channel = 0, .by = FoundBy::order};
+    if (!column) continue;
+    found.axes.push_back(i);
+    found.columns.push_back(*column);
+  }
+  if (found.axes.empty()) {
+    throw Failure(
+        {says::no_axis_column, {{"file", file.name}, {"axes", joined(axes)}, {"known", file.known()}}},
+        csv_malformed);
+  }
+  std::vector<std::size_t> channels;
+  for (auto const& column : found.columns) channels.push_back(column.channel);
+  constexpr double microseconds = 1000;
+  found.recorded = cycles_of(file, channels, machine.cycle_time.microseconds() / microseconds);
   return found;
 }
 

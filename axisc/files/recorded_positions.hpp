@@ -1,7 +1,9 @@
 // A scope's recording of the command positions of a channel's axes before their filters.
 #pragma once
 
-#include "axisc/files/recorded_signals.hpp"
+#include "axisc/files/recorded_choice.hpp"
+#include "axisc/files/recording_file.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <cstddef>
 #include <string>
@@ -15,17 +17,17 @@ struct AxisColumn {
 };
 
 struct RecordedPositions {
-  std::vector<std::size_t> axes;  ///< of the channel: those of the signals
-  RecordedSignals recorded;
+  std::vector<std::size_t> axes;      ///< of the channel: those of the signals
+  std::vector<ChosenColumn> columns;  ///< of the axes
+  recordings::CycleSignals recorded;  ///< in the units of the file
 };
 
-/// Columns that are not named are those called like an axis, in small letters or capitals; where the channel
-/// has one axis, the only column that is no time. Failure (AX9005) where no axis has a column, and as
-/// those of read_recorded_signals(); Failure for a named axis that the channel does not have.
-[[nodiscard]] RecordedPositions read_recorded_positions(std::string const& file,
-                                                        recordings::ByteSource source,
-                                                        std::vector<std::string> const& axes,
-                                                        std::vector<AxisColumn> const& named,
-                                                        design::CycleTime cycle_time);
+/// Columns that are not named are those of the axes' objects, as in recorded_choice.hpp, or called like an
+/// axis, in small letters or capitals; where the channel has one axis, the only column. Failure (AX9005)
+/// where no axis has a column; Failure for a named axis that the channel does not have.
+[[nodiscard]] RecordedPositions read_recorded_positions(RecordingFile const& file,
+                                                        machine::Machine const& machine, std::size_t group,
+                                                        bool in_machine,
+                                                        std::vector<AxisColumn> const& named);
 
 }  // namespace axisc

@@ -13,8 +13,8 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence argument_recording{"what a scope recorded, a row a cycle",
-                                      "was ein Scope aufzeichnete, eine Zeile je Zyklus"};
+constexpr Sentence argument_recording{"what a scope recorded: its export, its .svdx, or columns",
+                                      "was ein Scope aufzeichnete: sein Export, seine .svdx oder Spalten"};
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
                                "die aufgezeichnete Achse (Standardwert: die einzige)"};
 constexpr Sentence option_switched{
@@ -29,11 +29,15 @@ constexpr Sentence option_recorded_program{
     "--in nennt sie als X=SPALTE, einmal je Achse"};
 constexpr Sentence option_emit{
     "settings: write the readings that fit as \"design\" of axisc.json instead, with --program as "
-    "\"motion\"; program: without a recording, write an NC program whose recording tells the readings of "
-    "\"motion\"",
+    "\"motion\". Without a recording, program: an NC program whose recording tells the readings of "
+    "\"motion\"; template: what a scope is to record (.tcscopex)",
     "settings: stattdessen die passenden Lesarten als \"design\" für axisc.json ausgeben, mit --program als "
-    "\"motion\"; program: ohne Aufzeichnung ein NC-Programm ausgeben, dessen Aufzeichnung die Lesarten von "
-    "\"motion\" zeigt"};
+    "\"motion\". Ohne Aufzeichnung, program: ein NC-Programm, dessen Aufzeichnung die Lesarten von "
+    "\"motion\" zeigt; template: was ein Scope aufzeichnen soll (.tcscopex)"};
+constexpr Sentence option_net_id{"AMS NetId of the control, for --emit template",
+                                 "AMS-NetId der Steuerung, für --emit template"};
+constexpr Sentence option_purpose{"what the template's recording is for (default: compare)",
+                                  "wofür die Aufzeichnung der Vorlage ist (Standardwert: compare)"};
 constexpr Sentence one_setpoint_column{
     "--in names one column, the setpoint before the filters; several are for --program",
     "--in nennt eine Spalte, den Sollwert vor den Filtern; mehrere gibt es nur mit --program"};
@@ -41,9 +45,8 @@ constexpr Sentence group_of_program{
     "--group is for --program and --emit program; --axis names the axis whose filters are compared",
     "--group gilt für --program und --emit program; --axis nennt die Achse, deren Filter verglichen werden"};
 constexpr Sentence not_recorded_yet{
-    "--emit program writes the program that is to be recorded: give the machine alone, without a recording",
-    "--emit program schreibt das Programm, das aufgezeichnet werden soll: nur die Maschine angeben, ohne "
-    "Aufzeichnung"};
+    "--emit program and --emit template come before a recording: give the machine alone, without one",
+    "--emit program und --emit template kommen vor einer Aufzeichnung: nur die Maschine angeben, ohne eine"};
 constexpr Sentence no_settings{
     "no settings: the recording does not tell one reading that settings have; `axisc compare` without --emit "
     "says what fits",
@@ -58,18 +61,21 @@ namespace {
 
 void declare(CommandLine& command_line, CompareOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_input);
-  command_line.argument("RECORDING.csv", options.recording, says::argument_recording);
+  command_line.argument("RECORDING", options.recording, says::argument_recording);
   command_line.values("--in", "COLUMN", options.columns, says::option_setpoint_column);
-  command_line.choice("--unit",
-                      {{"0.1um", RecordedUnit::tenths},
-                       {"um", RecordedUnit::um},
-                       {"mm", RecordedUnit::mm},
-                       {"incr", RecordedUnit::increments}},
-                      options.unit, says::option_recorded_unit);
+  declare_recorded_numbers(command_line, options.numbers);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, options.alone);
-  command_line.choice("--emit", {{"settings", Emitted::settings}, {"program", Emitted::program}},
-                      options.emitted, says::option_emit);
+  command_line.choice(
+      "--emit",
+      {{"settings", Emitted::settings}, {"program", Emitted::program}, {"template", Emitted::scope_template}},
+      options.emitted, says::option_emit);
+  command_line.value("--netid", "A.B.C.D.E.F", options.net_id, says::option_net_id);
+  command_line.choice("--for",
+                      {{"compare", RecordingPurpose::compare},
+                       {"circle", RecordingPurpose::circle},
+                       {"identify", RecordingPurpose::identify}},
+                      options.purpose, says::option_purpose);
   command_line.value("--program", "PART.nc", options.program, says::option_recorded_program);
   command_line.value("--group", "NAME", options.group, says::option_group);
   command_line.not_with("--program");
@@ -103,10 +109,13 @@ ExitStatus compare_filters(CompareOptions const& options, Invocation const& invo
                      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!input) return ExitStatus::findings;
   auto const& image = input->image.contents;
-  auto const axis = recorded_axis(image, options.axis ? options.axis : input->axis(), *options.input);
+  RecordedMachine const machine{
+      .path = *options.input, .image = image, .machine = input->machine ? &input->machine->machine : nullptr};
+  auto const recording = open_recording(*options.recording);
+  auto const axis = recorded_axis(machine, options.axis ? options.axis : input->axis(), recording);
   auto const commands =
       read_timed_commands(options.commands, input->image, *options.input, invocation.language);
-  auto const recorded = compare_axis(image, axis, *options.recording, columns, options.unit,
+  auto const recorded = compare_axis(machine, axis, recording, columns, options.numbers.units(),
                                      kernel_switches(commands, image, axis, *options.input));
   refuse_late(commands, recorded.columns.recording.input.size());
   if (options.emitted == Emitted::settings) {
@@ -138,11 +147,12 @@ ExitStatus compare(Invocation const& invocation) {
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
-  if (options.emitted == Emitted::program) {
+  if (options.emitted == Emitted::program || options.emitted == Emitted::scope_template) {
     if (options.recording || options.program) throw Failure({says::not_recorded_yet});
-    return emit_program(options, invocation, command_line);
+    return options.emitted == Emitted::program ? emit_program(options, invocation, command_line)
+                                               : emit_template(options, invocation, command_line);
   }
-  command_line.require(options.recording.has_value(), "RECORDING.csv");
+  command_line.require(options.recording.has_value(), "RECORDING");
   if (options.program) return compare_motion(options, invocation, command_line);
   return compare_filters(options, invocation, command_line);
 }

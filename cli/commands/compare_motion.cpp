@@ -6,6 +6,7 @@
 #include "cli/output/answer_output.hpp"
 #include "cli/output/printed_errors.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace axisc::cli::says {
@@ -41,14 +42,19 @@ struct ChosenGroup {
   std::size_t group = 0;
 };
 
-std::optional<ChosenGroup> chosen(CompareOptions const& options, Invocation const& invocation, bool color) {
+std::optional<CheckedMachine> checked(CompareOptions const& options, Invocation const& invocation,
+                                      bool color) {
   Workspace workspace(overrides_with(options.cycle_time));
-  auto checked = checked_machine(workspace, {.input = *options.input, .alone = options.alone},
-                                 printed_errors(invocation, color));
-  if (!checked) return std::nullopt;
+  return checked_machine(workspace, {.input = *options.input, .alone = options.alone},
+                         printed_errors(invocation, color));
+}
+
+std::optional<ChosenGroup> chosen(CompareOptions const& options, Invocation const& invocation, bool color) {
+  auto machine = checked(options, invocation, color);
+  if (!machine) return std::nullopt;
   auto const group =
-      chosen_group(checked->machine, options.group ? options.group : checked->group, *options.input);
-  return ChosenGroup{.checked = *std::move(checked), .group = group};
+      chosen_group(machine->machine, options.group ? options.group : machine->group, *options.input);
+  return ChosenGroup{.checked = *std::move(machine), .group = group};
 }
 
 ExitStatus emit_motion(comparison::MotionComparison const& result, Invocation const& invocation) {
@@ -74,7 +80,7 @@ ExitStatus compare_motion(CompareOptions const& options, Invocation const& invoc
   }
   auto const recorded =
       compare_program(program, request, machine, made->group,
-                      {.path = *options.recording, .columns = columns, .unit = options.unit});
+                      {.path = *options.recording, .columns = columns, .units = options.numbers.units()});
   if (options.emitted == Emitted::settings) return emit_motion(recorded.result, invocation);
   print(motion_answer(recorded), options.format, invocation, command_line);
   return recorded.result.agrees() ? ExitStatus::success : ExitStatus::findings;
@@ -86,6 +92,19 @@ ExitStatus emit_program(CompareOptions const& options, Invocation const& invocat
   if (!made) return ExitStatus::findings;
   invocation.streams.out.write(
       telling_text(made->checked.machine, made->group, *options.input, invocation.language));
+  return ExitStatus::success;
+}
+
+ExitStatus emit_template(CompareOptions const& options, Invocation const& invocation,
+                         CommandLine const& command_line) {
+  auto const machine = checked(options, invocation, use_color(command_line.color(), system::Stream::error));
+  if (!machine) return ExitStatus::findings;
+  auto const axis = options.axis ? options.axis : machine->axis;
+  auto const made = recording_template(
+      {.machine = *options.input, .net_id = options.net_id, .axes = axis, .purpose = options.purpose},
+      machine->machine, invocation.language);
+  invocation.streams.out.write(made.text);
+  std::for_each(made.notes.begin(), made.notes.end(), printed_notes(invocation));
   return ExitStatus::success;
 }
 

@@ -1,9 +1,11 @@
 // Options of `axisc compare`, for its two halves: filters, and the motion along a path.
 #pragma once
 
+#include "axisc/answers/comparison/recording_template.hpp"
 #include "axisc/answers/execution/recorded_axis.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/recorded_numbers.hpp"
 #include "presentation/writers.hpp"
 
 #include <cstdint>
@@ -13,15 +15,16 @@
 
 namespace axisc::cli {
 
-enum class Emitted : std::uint8_t { nothing, settings, program };
+enum class Emitted : std::uint8_t { nothing, settings, program, scope_template };
 
 struct CompareOptions {
-  std::optional<std::string> input, recording, axis, cycle_time, program, group, output;
+  std::optional<std::string> input, recording, axis, cycle_time, program, group, output, net_id;
   std::vector<std::string> commands, columns;
-  RecordedUnit unit = RecordedUnit::recognised;
+  RecordedNumbers numbers;
   bool alone = false;
   presentation::Format format = presentation::Format::text;
   Emitted emitted = Emitted::nothing;
+  RecordingPurpose purpose = RecordingPurpose::compare;
 };
 
 /// `--program`: which readings of `motion` the recording shows.
@@ -30,6 +33,10 @@ struct CompareOptions {
 /// `--emit program`: writes the program that tells them.
 [[nodiscard]] ExitStatus emit_program(CompareOptions const& options, Invocation const& invocation,
                                       CommandLine const& command_line);
+
+/// `--emit template`: writes the scope's configuration that records what a comparison needs.
+[[nodiscard]] ExitStatus emit_template(CompareOptions const& options, Invocation const& invocation,
+                                       CommandLine const& command_line);
 
 /// `--emit settings`: only what is determined; what is left open is said, and is no success: what fits is
 /// written in part. `nothing` is said where there are no settings.

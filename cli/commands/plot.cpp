@@ -6,6 +6,7 @@
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/contour_words.hpp"
+#include "cli/options/recorded_numbers.hpp"
 #include "cli/options/sentences.hpp"
 #include "cli/output/picture_output.hpp"
 #include "cli/output/printed_errors.hpp"
@@ -71,6 +72,7 @@ struct PlotOptions {
   PictureQuestion question;
   std::optional<std::string> input, cycle_time, tolerance, distance;
   ContourWords contour;
+  RecordedNumbers numbers;
   PictureTarget target;
 };
 
@@ -117,15 +119,10 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.value("--plant", "PLANT.json", question.plant, says::option_plotted_plant);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", question.move, says::option_plotted_move);
   command_line.only_for("compare");
-  command_line.value("--recording", "RECORDING.csv", question.recording, says::option_plotted_recording);
+  command_line.value("--recording", "RECORDING", question.recording, says::option_plotted_recording);
   command_line.value("--in", "COLUMN", question.columns.input, says::option_setpoint_column);
   command_line.value("--out", "COLUMN", question.columns.output, says::option_filtered_column);
-  command_line.choice("--unit",
-                      {{"0.1um", RecordedUnit::tenths},
-                       {"um", RecordedUnit::um},
-                       {"mm", RecordedUnit::mm},
-                       {"incr", RecordedUnit::increments}},
-                      question.unit, says::option_recorded_unit);
+  declare_recorded_numbers(command_line, options.numbers);
 }
 
 void read_move(PlotOptions& options) {
@@ -148,6 +145,7 @@ ExitStatus plot(Invocation const& invocation) {
   question.input = *options.input;
   question.language = invocation.language;
   question.contour = read_contour_words(options.contour);
+  question.units = options.numbers.units();
   if (question.kind == PictureKind::dynamics) read_move(options);
   if (options.tolerance) question.tolerance_mm = positive_number("--tolerance", *options.tolerance);
   std::vector<std::string> inputs{question.input};

@@ -21,11 +21,6 @@ constinit Sentence const option_level{
 constinit Sentence const option_setpoint_column{"column before the filters: name, or number from 1",
                                                 "Spalte vor den Filtern: Name oder Nummer ab 1"};
 constinit Sentence const option_filtered_column{"column behind the filters", "Spalte hinter den Filtern"};
-constinit Sentence const option_recorded_unit{
-    "unit of both columns; mm for rotary axes means degrees, incr increments of the measuring system "
-    "(P-AXIS-00233, P-AXIS-00234) (default: 0.1um for whole numbers, else mm)",
-    "Einheit beider Spalten; mm bedeutet bei Rundachsen Grad, incr Inkremente des Messsystems "
-    "(P-AXIS-00233, P-AXIS-00234) (Standardwert: 0.1um bei ganzen Zahlen, sonst mm)"};
 constinit Sentence const option_group{"only this group (NC channel)", "nur diese Gruppe (NC-Kanal)"};
 
 }  // namespace axisc::cli::says

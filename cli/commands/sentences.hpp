@@ -12,7 +12,6 @@ extern Sentence const option_at;
 extern Sentence const option_level;
 extern Sentence const option_setpoint_column;
 extern Sentence const option_filtered_column;
-extern Sentence const option_recorded_unit;
 extern Sentence const option_group;
 
 }  // namespace axisc::cli::says

@@ -54,7 +54,7 @@ std::map<std::string, std::set<std::string>> const may_include = {
     {"image", {"codegen", "machine", "design", "schema", "runtime"}},
     {"pictures", {"diagnostics"}},
     {"presentation", {"pictures", "diagnostics"}},
-    {"comparison", {"motion", "machine", "design", "diagnostics"}},
+    {"comparison", {"motion", "recordings", "machine", "design", "diagnostics"}},
     {"recordings", {"diagnostics"}},
     {"tuning", {"motion", "recordings", "image", "codegen", "machine", "design", "diagnostics", "runtime"}},
     {"motion", {"image", "codegen", "machine", "schema", "design", "grammar", "diagnostics", "runtime"}},

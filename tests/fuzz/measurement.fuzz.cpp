@@ -2,6 +2,8 @@
 // was asked for.
 #include "analysis/tuning/identification/measurement.hpp"
 
+#include "analysis/recordings/recording_reader.hpp"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +22,10 @@ void require(bool condition) {
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   using namespace axisc::tuning;
   std::string_view const bytes(reinterpret_cast<char const*>(data), size);
-  auto const read = read_measurement(axisc::recordings::source_of(bytes), {});
+  auto const recording = axisc::recordings::read_recording(axisc::recordings::source_of(bytes));
+  auto const* const columns = std::get_if<axisc::recordings::Recording>(&recording);
+  if (columns == nullptr || !is_response(*columns)) return 0;
+  auto const read = response_measurement(*columns);
   auto const* const measurement = std::get_if<Measurement>(&read);
   if (measurement == nullptr) return 0;
   auto const found = identify(*measurement, 400);

@@ -36,7 +36,8 @@ comparison::Configured configured(bool with_kernel) {
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   std::string_view const bytes(reinterpret_cast<char const*>(data), size);
   try {
-    auto const recorded = read_recorded_columns("scope.csv", recordings::source_of(bytes), {}, cycle_time);
+    auto const file = read_recording_file("scope.csv", recordings::source_of(bytes));
+    auto const recorded = read_recorded_columns(file, {}, {}, cycle_time);
     auto const& recording = recorded.recording;
     require(recording.input.size() == recording.output.size());
     for (auto const gap : recording.gaps) require(gap < recording.input.size());

@@ -1,10 +1,11 @@
 #include "analysis/tuning/identification/measurement.hpp"
 
-#include "analysis/tuning/identification/number_table.hpp"
+#include "diagnostics/ascii.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <string_view>
 
 namespace axisc::tuning {
 namespace {
@@ -12,128 +13,75 @@ namespace {
 constexpr double lowest_frequency = 2;
 constexpr double highest_share = 0.4;  ///< of the sampling rate
 constexpr double lowest_bins = 4;
-/// Times are rounded when they are written.
-constexpr double even_within = 0.5;
 
-using Column = std::optional<std::size_t>;
+using recordings::Channel;
+using recordings::Recording;
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char byte) {
-    return byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : byte;
-  });
-  return text;
-}
-
-Column beginning_with(NumberTable const& table, std::initializer_list<std::string_view> words) {
+/// The first word that a column begins with, whatever its case; null where there is none.
+Channel const* beginning_with(Recording const& recording, std::initializer_list<std::string_view> words) {
   for (auto const word : words) {
-    for (std::size_t i = 0; i < table.names.size(); ++i) {
-      if (lower(table.names[i]).starts_with(word)) return i;
+    for (auto const& channel : recording.channels) {
+      if (ascii::lower_case(channel.name).starts_with(word)) return &channel;
     }
   }
-  return std::nullopt;
+  return nullptr;
 }
 
-Column named(NumberTable const& table, std::string const& name) {
-  auto const found = std::find(table.names.begin(), table.names.end(), name);
-  return found == table.names.end() ? Column() : Column(found - table.names.begin());
-}
-
-using Result = std::variant<Measurement, BadMeasurement>;
-
-Result response_of(NumberTable const& table, std::size_t frequency) {
-  auto const decibels = beginning_with(table, {"magnitude_db"});
-  auto const magnitude = beginning_with(table, {"magnitude", "amplitude"});
-  auto const power = beginning_with(table, {"psd"});
-  auto const phase = beginning_with(table, {"phase_deg"});
-  auto const coherence = beginning_with(table, {"coherence"});
-  if (!decibels && !magnitude && !power) return BadMeasurement{.problem = MeasurementProblem::no_columns};
-  Measurement found{.kind = phase ? MeasurementKind::response : MeasurementKind::spectrum};
-  found.response.has_phase = phase.has_value();
-  constexpr double degree = 0.017453292519943295;
-  constexpr double bel = 20;
-  for (std::size_t row = 0; row < table.lines.size(); ++row) {
-    double const f = table.columns[frequency][row];
-    if (!found.response.frequency.empty() && !(f > found.response.frequency.back())) {
-      return BadMeasurement{.problem = MeasurementProblem::uneven_frequency, .line = table.lines[row]};
-    }
-    if (!(f > 0)) continue;
-    double height = 0;
-    if (decibels) {
-      height = std::pow(10, std::clamp(table.columns[*decibels][row], -600.0, 600.0) / bel);
-    } else {
-      height = magnitude ? std::abs(table.columns[*magnitude][row])
-                         : std::sqrt(std::abs(table.columns[*power][row]));
-    }
-    found.response.frequency.push_back(f);
-    found.response.response.push_back(
-        phase ? std::polar(height, std::remainder(table.columns[*phase][row], 360.0) * degree) : height);
-    if (coherence) found.response.coherence.push_back(table.columns[*coherence][row]);
+/// The first field that is not a number, in a column that is read.
+std::optional<BadMeasurement> bad_field(std::initializer_list<Channel const*> channels) {
+  std::optional<BadMeasurement> bad;
+  for (auto const* const channel : channels) {
+    if (channel == nullptr || !channel->bad || (bad && bad->line <= channel->bad->line)) continue;
+    bad = BadMeasurement{.problem = MeasurementProblem::not_a_number, .line = channel->bad->line};
   }
-  return found;
-}
-
-/// All columns that do not hold times; a column that repeats the times is left out, too.
-std::vector<std::size_t> signal_columns(NumberTable const& table, std::size_t time) {
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (i != time && table.names[i] != table.names[time] && table.columns[i] != table.columns[time]) {
-      found.push_back(i);
-    }
-  }
-  return found;
-}
-
-std::optional<BadMeasurement> set_rate(Measurement& found, NumberTable const& table, std::size_t time) {
-  auto const& times = table.columns[time];
-  auto const steps = static_cast<double>(times.size() - 1);
-  double const step = (times.back() - times.front()) / steps;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    double const here = times[i] - times[i - 1];
-    if (!(step > 0) || !(std::abs(here - step) <= even_within * step)) {
-      return BadMeasurement{.problem = MeasurementProblem::uneven_time, .line = table.lines[i]};
-    }
-  }
-  bool const in_milliseconds = lower(table.names[time]).find("ms") != std::string::npos;
-  constexpr double milli = 1e-3;
-  found.sampling_rate = 1 / (step * (in_milliseconds ? milli : 1));
-  return std::nullopt;
-}
-
-Result signals_of(NumberTable const& table, std::size_t time, SignalColumns const& wanted) {
-  auto const others = signal_columns(table, time);
-  Column in, out;
-  for (auto const& [name, column] : {std::pair(&wanted.in, &in), {&wanted.out, &out}}) {
-    if (!*name) continue;
-    *column = named(table, **name);
-    if (!*column) return BadMeasurement{.problem = MeasurementProblem::unknown_column, .column = **name};
-  }
-  if (!in && !out && others.size() == 2) {
-    in = others[0];
-    out = others[1];
-  }
-  if (!in || !out) {
-    std::string names;
-    for (auto const other : others) names += (names.empty() ? "" : ", ") + table.names[other];
-    return BadMeasurement{.problem = MeasurementProblem::choose_columns, .column = names};
-  }
-  Measurement found{.kind = MeasurementKind::signals};
-  if (auto bad = set_rate(found, table, time)) return *std::move(bad);
-  found.in = table.columns[*in];
-  found.out = table.columns[*out];
-  found.in_name = table.names[*in];
-  found.out_name = table.names[*out];
-  return found;
+  return bad;
 }
 
 }  // namespace
 
-Result read_measurement(recordings::ByteSource source, SignalColumns const& columns) {
-  auto read = read_number_table(std::move(source));
-  if (auto* const bad = std::get_if<BadMeasurement>(&read)) return std::move(*bad);
-  auto const& table = std::get<NumberTable>(read);
-  if (auto const frequency = beginning_with(table, {"freq"})) return response_of(table, *frequency);
-  if (auto const time = beginning_with(table, {"time", "zeit"})) return signals_of(table, *time, columns);
-  return BadMeasurement{.problem = MeasurementProblem::no_columns};
+bool is_response(Recording const& recording) {
+  return recording.form == recordings::Form::columns && recording.clocks.front().is_counted &&
+         beginning_with(recording, {"freq"}) != nullptr;
+}
+
+std::variant<Measurement, BadMeasurement> response_measurement(Recording const& recording) {
+  auto const* const frequency = beginning_with(recording, {"freq"});
+  auto const* const decibels = beginning_with(recording, {"magnitude_db"});
+  auto const* const magnitude = beginning_with(recording, {"magnitude", "amplitude"});
+  auto const* const power = beginning_with(recording, {"psd"});
+  auto const* const phase = beginning_with(recording, {"phase_deg"});
+  auto const* const coherence = beginning_with(recording, {"coherence"});
+  auto const* const height = decibels != nullptr ? decibels : magnitude != nullptr ? magnitude : power;
+  if (height == nullptr) return BadMeasurement{.problem = MeasurementProblem::no_columns};
+  if (auto bad = bad_field({frequency, height, phase, coherence})) return *bad;
+  auto const& clock = recording.clocks[frequency->clock];
+  if (clock.samples < 2) return BadMeasurement{.problem = MeasurementProblem::too_short};
+  bool const has_phase = phase != nullptr;
+  Measurement found{.kind = has_phase ? MeasurementKind::response : MeasurementKind::spectrum};
+  found.response.has_phase = has_phase;
+  constexpr double degree = 0.017453292519943295;
+  constexpr double bel = 20;
+  double last = 0;
+  for (std::size_t row = 0; row < clock.samples; ++row) {
+    auto const bad = [&](MeasurementProblem problem) {
+      return BadMeasurement{.problem = problem, .line = static_cast<std::uint64_t>(clock.lines.at(row))};
+    };
+    double const f = frequency->values.at(row);
+    double const value = height->values.at(row);
+    if (std::isnan(f) || std::isnan(value)) return bad(MeasurementProblem::not_a_number);
+    if (!found.response.frequency.empty() && !(f > last)) return bad(MeasurementProblem::uneven_frequency);
+    last = f;
+    if (!(f > 0)) continue;
+    double const size = decibels != nullptr    ? std::pow(10, std::clamp(value, -600.0, 600.0) / bel)
+                        : magnitude != nullptr ? std::abs(value)
+                                               : std::sqrt(std::abs(value));
+    double const angle = has_phase ? std::remainder(phase->values.at(row), 360.0) * degree : 0;
+    if (std::isnan(angle)) return bad(MeasurementProblem::not_a_number);
+    found.response.frequency.push_back(f);
+    found.response.response.push_back(has_phase ? std::polar(size, angle) : size);
+    if (coherence != nullptr) found.response.coherence.push_back(coherence->values.at(row));
+  }
+  return found;
 }
 
 Identification identify(Measurement const& measurement, double highest) {

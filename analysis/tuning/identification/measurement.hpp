@@ -1,16 +1,11 @@
-// A file with a measurement: two signals over time, a frequency response, or a spectrum.
+// A measurement of an axis: two signals over time, a frequency response, or a spectrum.
 //
-// Rows of numbers in columns, as analysis/recordings/number_rows.hpp reads them. TwinCAT Scope writes a
-// column of times for each signal: all but the first are left out.
-//
-//   signals     a column of times ("time", "time_ms", "Zeit [s]"; ms if the name says so, otherwise s), and
-//               two others
-//   response    "frequency_hz" or "freq", "magnitude_db" or "magnitude", "phase_deg", perhaps "coherence"
-//               (0 to 1)
-//   spectrum    "frequency_hz" or "freq", "magnitude_db", "magnitude" or "psd…"
+//   response    columns "frequency_hz" or "freq", "magnitude_db" or "magnitude", "phase_deg", perhaps
+//               "coherence" (0 to 1)
+//   spectrum    columns "frequency_hz" or "freq", "magnitude_db", "magnitude" or "psd…"
 #pragma once
 
-#include "analysis/recordings/text_lines.hpp"
+#include "analysis/recordings/recording.hpp"
 #include "analysis/tuning/identification/resonances.hpp"
 
 #include <cstdint>
@@ -32,31 +27,23 @@ struct Measurement {
 };
 
 enum class MeasurementProblem : std::uint8_t {
-  no_rows,           ///< not two rows of numbers
+  no_columns,        ///< a frequency without a magnitude
+  too_short,         ///< not two rows
   not_a_number,      ///< `line`
-  field_count,       ///< `line`
-  mixed_numbers,     ///< a column with decimal points and decimal commas: `column`
-  no_columns,        ///< neither times nor frequencies: the known columns
-  choose_columns,    ///< more than two signals: which are input and output
-  unknown_column,    ///< `column`
-  uneven_time,       ///< `line`: samples are missing, or time does not advance
   uneven_frequency,  ///< `line`: frequencies do not rise
-  long_line,         ///< `line`
 };
 
 struct BadMeasurement {
-  MeasurementProblem problem = MeasurementProblem::no_rows;
-  std::size_t line = 0;  ///< from 1
-  std::string column{};  ///< its name; of choose_columns all of them
+  MeasurementProblem problem = MeasurementProblem::no_columns;
+  std::uint64_t line = 0;  ///< from 1
 };
 
-/// Names of the columns with the input and the output of signals; needed where there are more than two.
-struct SignalColumns {
-  std::optional<std::string> in = {}, out = {};
-};
+/// Its columns have frequencies, not times.
+[[nodiscard]] bool is_response(recordings::Recording const& recording);
 
-[[nodiscard]] std::variant<Measurement, BadMeasurement> read_measurement(recordings::ByteSource source,
-                                                                         SignalColumns const& columns);
+/// Of a recording that is_response().
+[[nodiscard]] std::variant<Measurement, BadMeasurement> response_measurement(
+    recordings::Recording const& recording);
 
 /// Resonances between 2 Hz, or four times the resolution, and `highest`, or 0.4 of the sampling rate.
 [[nodiscard]] Identification identify(Measurement const& measurement, double highest);

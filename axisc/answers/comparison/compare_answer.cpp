@@ -1,5 +1,6 @@
 #include "axisc/answers/comparison/compare_answer.hpp"
 
+#include "axisc/answers/execution/mapping_table.hpp"
 #include "diagnostics/writers/json_stream.hpp"
 
 #include <algorithm>
@@ -117,6 +118,7 @@ class Answer {
     for (auto const& one : recorded_.found_switches) {
       tell(says::found, {{"command", command_of(one)}, {"cycle", one.cycle}});
     }
+    blocks_.emplace_back(mapping_table({"in", "out"}, recorded_.mapping));
     if (result_.verdict != Verdict::cannot_tell) explanations();
     return {.title = Words(says::title, {{"axis", axis_},
                                          {"input", recorded_.columns.input_name},

@@ -1,6 +1,7 @@
 #include "axisc/answers/comparison/motion_answer.hpp"
 
 #include "axisc/answers/comparison/motion_words.hpp"
+#include "axisc/answers/execution/mapping_table.hpp"
 #include "axisc/answers/labels.hpp"
 #include "diagnostics/joined.hpp"
 #include "diagnostics/writers/json_stream.hpp"
@@ -111,6 +112,7 @@ class Answer {
   presentation::Document document() {
     facts();
     sentences();
+    blocks_.emplace_back(mapping_table(recorded_.axes, recorded_.mapping));
     blocks_.emplace_back(unexplained());
     blocks_.emplace_back(readings());
     auto const open = motion_left_open(result_);

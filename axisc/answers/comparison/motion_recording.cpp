@@ -5,7 +5,6 @@
 #include "analysis/motion/program/interpreter.hpp"
 #include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "axisc/files/byte_source.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -71,14 +70,15 @@ RecordedMotion compare_program(ProgramLines& program, ProgramRequest const& requ
                                MotionRecording const& recording) {
   auto const& group = machine.groups[index];
   auto const moves = moves_of(program, request, machine, group);
-  auto columns =
-      read_recorded_positions(recording.path, open_source(recording.path), channel_of(machine, group).axes,
-                              recording.columns, machine.cycle_time);
+  auto const file = open_recording(recording.path);
+  bool const in_machine = machine.axes.size() > 1 || names_machine(request.machine_path);
+  auto columns = read_recorded_positions(file, machine, index, in_machine, recording.columns);
   auto& recorded = columns.recorded;
   auto const image = image_of(machine, request.machine_path);
   RecordedMotion found{.program = request.program_path,
                        .recording = recording.path,
                        .axes = {},
+                       .mapping = {},
                        .cycles = recorded.signals.front().size(),
                        .lost = recorded.gaps.size(),
                        .repeated = recorded.repeated,
@@ -90,7 +90,9 @@ RecordedMotion compare_program(ProgramLines& program, ProgramRequest const& requ
     auto const axis = group.axes[columns.axes[i]];
     auto const& listed = image.contents.axes[axis];
     auto& signal = recorded.signals[i];
-    double const thousandths = thousandths_of(recording.unit, listed, is_whole(signal, recorded.gaps));
+    auto const scale = column_scale(file, columns.columns[i], recording.units, listed, signal, recorded.gaps);
+    double const thousandths = scale.thousandths;
+    signal = positions(std::move(signal), scale, thousandths);
     if (auto const range = modulo_range(listed)) {
       found.jumps += comparison::unwind(signal, recorded.gaps, *range / thousandths);
     }
@@ -100,7 +102,9 @@ RecordedMotion compare_program(ProgramLines& program, ProgramRequest const& requ
     for (double& value : values) value *= units;
     path.positions.push_back(comparison::recorded_position(columns.axes[i], std::move(values), resolution));
     found.axes.push_back(machine.axes[axis].name);
-    found.is_rotary = found.is_rotary && machine.axes[axis].type != machine::AxisType::translatory;
+    bool const is_rotary = machine.axes[axis].type != machine::AxisType::translatory;
+    found.mapping.push_back(mapped_column(file, columns.columns[i], scale, is_rotary));
+    found.is_rotary = found.is_rotary && is_rotary;
     found.allowed = std::max(found.allowed, path.positions.back().allowed);
   }
   if (!recorded.gaps.empty()) path.is_gap.assign(found.cycles, 0);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/comparison/motion/motion_comparison.hpp"
-#include "axisc/answers/execution/recorded_units.hpp"
+#include "axisc/answers/execution/recorded_scale.hpp"
 #include "axisc/answers/simulation/followed_program.hpp"
 #include "axisc/files/recorded_positions.hpp"
 #include "configuration/machine/machine.hpp"
@@ -14,9 +14,10 @@
 namespace axisc {
 
 struct RecordedMotion {
-  std::string program, recording;  ///< paths, for readers
-  std::vector<std::string> axes;   ///< with a column
-  std::size_t cycles = 0;          ///< of the recording
+  std::string program, recording;     ///< paths, for readers
+  std::vector<std::string> axes;      ///< with a column
+  std::vector<MappedColumn> mapping;  ///< of the axes
+  std::size_t cycles = 0;             ///< of the recording
   std::size_t lost = 0, repeated = 0;
   std::size_t jumps = 0;   ///< by a modulo range; they are taken out
   bool is_rotary = false;  ///< every recorded axis
@@ -28,7 +29,7 @@ struct RecordedMotion {
 struct MotionRecording {
   std::string path;
   std::vector<AxisColumn> columns = {};
-  RecordedUnit unit = RecordedUnit::recognised;
+  PositionUnits units = {};
 };
 
 /// Follows a program that survey_program() accepted. Failure for a program that cannot be compared, at its

@@ -4,9 +4,10 @@
 #include "analysis/comparison/residual.hpp"
 #include "analysis/comparison/turns.hpp"
 #include "axisc/environment/failure.hpp"
-#include "axisc/files/byte_source.hpp"
 #include "axisc/files/image_file.hpp"
-#include "configuration/machine/machine.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace axisc::says {
 
@@ -79,29 +80,76 @@ std::optional<comparison::Motion> telling_motion(RecordedAxis const& found, desi
        .step = telling_step * per_mm / found.thousandths});
 }
 
-}  // namespace
-
-std::size_t recorded_axis(image::ImageContents const& image, std::optional<std::string> const& name,
-                          std::string const& file) {
-  auto const axes = chosen_axes(image, name);
-  if (axes.size() == 1) return axes.front();
-  throw Failure({says::name_an_axis, {{"file", file}, {"count", std::to_string(axes.size())}}});
+/// A list by itself does not say where the control has its axis.
+AxisPlace place_of(RecordedMachine const& machine, std::size_t axis) {
+  auto const& image = machine.image;
+  if (machine.machine != nullptr) {
+    bool const in_machine = image.axes.size() > 1 || names_machine(machine.path);
+    return axis_place(*machine.machine, axis, in_machine);
+  }
+  AxisPlace place{.name = axis_label(image, axis)};
+  if (image.axes.size() == 1) return place;
+  place.number = image.axes[axis].number;
+  place.index = static_cast<std::uint32_t>(axis + 1);
+  for (auto const& group : image.groups) {
+    auto const member = std::find(group.members.begin(), group.members.end(), axis);
+    if (member == group.members.end()) continue;
+    place.index = static_cast<std::uint32_t>(member - group.members.begin() + 1);
+  }
+  return place;
 }
 
-RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, std::string const& path,
-                          WantedColumns const& columns, RecordedUnit unit,
+/// Brings both columns into one unit.
+void read_positions(RecordedAxis& found, RecordingFile const& file, PositionUnits const& units,
+                    image::ImageAxis const& axis) {
+  auto& [input, output, gaps, first] = found.columns.recording;
+  auto scale_of = [&](ChosenColumn const& column, recordings::Signal const& signal) {
+    return column_scale(file, column, units, axis, signal, gaps);
+  };
+  auto in = scale_of(found.columns.input, input);
+  auto out = scale_of(found.columns.output, output);
+  // Numbers that happen to be whole have the unit of the others.
+  if (in.is_guessed && out.is_guessed && in.thousandths != out.thousandths) {
+    constexpr double per_mm = 1000;
+    in.thousandths = per_mm;
+    out.thousandths = per_mm;
+  }
+  found.thousandths = in.thousandths;
+  input = positions(std::move(input), in, found.thousandths);
+  output = positions(std::move(output), out, found.thousandths);
+  found.mapping = {mapped_column(file, found.columns.input, in, found.is_rotary),
+                   mapped_column(file, found.columns.output, out, found.is_rotary)};
+}
+
+}  // namespace
+
+std::size_t recorded_axis(RecordedMachine const& machine, std::optional<std::string> const& name,
+                          RecordingFile const& file) {
+  auto const axes = chosen_axes(machine.image, name);
+  if (axes.size() == 1) return axes.front();
+  if (machine.machine != nullptr) {
+    using recordings::Object;
+    auto const shown =
+        recorded_axes(file, *machine.machine, {Object::position_unfiltered, Object::position_filtered});
+    if (shown.size() == 1) return shown.front();
+  }
+  throw Failure({says::name_an_axis, {{"file", machine.path}, {"count", std::to_string(axes.size())}}});
+}
+
+RecordedAxis compare_axis(RecordedMachine const& machine, std::size_t axis, RecordingFile const& file,
+                          WantedColumns const& columns, PositionUnits const& units,
                           std::vector<comparison::KernelSwitch> switches) {
+  auto const& image = machine.image;
   auto chain = configured(image, axis);
   chain.switches = std::move(switches);
   RecordedAxis found{
-      .columns = read_recorded_columns(path, open_source(path), columns, image.cycle_time),
+      .columns = read_recorded_columns(file, place_of(machine, axis), columns, image.cycle_time),
+      .mapping = {},
       .readings = comparison::readings(chain),
       .result = {},
       .is_guard = image.axes[axis].slot && image.axes[axis].slot->family == machine::KernelFamily::guard,
       .is_rotary = image.axes[axis].type != translatory};
-  auto const& recording = found.columns.recording;
-  bool const whole = is_whole(recording.input, recording.gaps) && is_whole(recording.output, recording.gaps);
-  found.thousandths = thousandths_of(unit, image.axes[axis], whole);
+  read_positions(found, file, units, image.axes[axis]);
   if (auto const range = modulo_range(image.axes[axis])) {
     found.jumps = comparison::unwind(found.columns.recording, *range / found.thousandths);
   }

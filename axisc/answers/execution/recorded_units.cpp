@@ -56,7 +56,7 @@ double increment(image::ImageAxis const& axis) {
 
 }  // namespace
 
-bool is_whole(comparison::Signal const& signal, std::vector<std::size_t> const& gaps) {
+bool is_whole(recordings::Signal const& signal, std::vector<std::size_t> const& gaps) {
   return comparison::resolution(signal, gaps) == 1;
 }
 

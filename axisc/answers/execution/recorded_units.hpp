@@ -1,7 +1,7 @@
 // What the numbers of a recording mean for an axis.
 #pragma once
 
-#include "analysis/comparison/signal.hpp"
+#include "analysis/recordings/signal.hpp"
 #include "image/image_contents.hpp"
 
 #include <cstddef>
@@ -20,7 +20,7 @@ enum class RecordedUnit : std::uint8_t {
 };
 
 /// All values outside the gaps are whole numbers.
-[[nodiscard]] bool is_whole(comparison::Signal const& signal, std::vector<std::size_t> const& gaps);
+[[nodiscard]] bool is_whole(recordings::Signal const& signal, std::vector<std::size_t> const& gaps);
 
 /// µm, or 0.001°, of one unit. Where the unit is to be recognised, whole numbers are those of CNC objects.
 /// Failure for increments of an axis whose image does not hold the lists' values.

@@ -1,8 +1,8 @@
 #include "axisc/answers/figures/measured_response.hpp"
 
+#include "analysis/recordings/decimal_number.hpp"
 #include "axisc/environment/failure.hpp"
-#include "axisc/files/byte_source.hpp"
-#include "axisc/files/row_problem.hpp"
+#include "axisc/files/recording_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,38 +24,46 @@ namespace axisc {
 
 namespace {
 
-std::optional<std::size_t> column(recordings::NumberRows const& rows, std::string_view name) {
-  auto const& names = rows.names();
-  auto const found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - names.begin());
+using recordings::Channel;
+
+/// Null where there is none.
+Channel const* column(RecordingFile const& file, std::string_view name) {
+  auto const& channels = file.recording.channels;
+  auto const found = std::find_if(channels.begin(), channels.end(),
+                                  [name](Channel const& channel) { return channel.name == name; });
+  return found == channels.end() ? nullptr : &*found;
 }
 
-std::size_t required_column(recordings::NumberRows const& rows, std::string const& path,
-                            std::string_view name) {
-  if (auto const found = column(rows, name)) return *found;
-  throw Failure({says::measured_columns, {{"file", path}, {"column", std::string(name)}}});
+Channel const& required_column(RecordingFile const& file, std::string_view name) {
+  if (auto const* const found = column(file, name)) return *found;
+  throw Failure({says::measured_columns, {{"file", file.name}, {"column", std::string(name)}}});
+}
+
+/// Infinite values are left out where they are used; anything else that is not a number is refused.
+void refuse_text(RecordingFile const& file, Channel const* channel) {
+  if (channel == nullptr || !channel->bad || recordings::parse_number(channel->bad->text)) return;
+  fail_value(file, static_cast<std::size_t>(channel - file.recording.channels.data()));
 }
 
 }  // namespace
 
 std::vector<MeasuredPoint> read_measured_response(std::string const& path) {
-  recordings::NumberRows rows(open_source(path), recordings::Accepts::any);
-  if (rows.problem()) fail_row(rows, path);
-  auto const frequency = required_column(rows, path, "frequency_hz");
-  auto const magnitude = required_column(rows, path, "magnitude_db");
-  auto const phase = column(rows, "phase_deg");
-  std::vector<std::size_t> columns{frequency, magnitude};
-  if (phase) columns.push_back(*phase);
-  rows.read_only(columns);
+  auto const file = open_recording(path);
+  auto const& frequency = required_column(file, "frequency_hz");
+  auto const& magnitude = required_column(file, "magnitude_db");
+  auto const* const phase = column(file, "phase_deg");
+  for (auto const* const channel : {&frequency, &magnitude, phase}) refuse_text(file, channel);
   std::vector<MeasuredPoint> points;
-  std::vector<double> row(rows.names().size());
-  while (next_row(rows, row, path)) {
-    if (!(row[frequency] > 0) || !std::isfinite(row[frequency]) || !std::isfinite(row[magnitude])) continue;
-    points.push_back(
-        {.frequency = row[frequency],
-         .magnitude_db = row[magnitude],
-         .phase_deg = phase && std::isfinite(row[*phase]) ? std::optional(row[*phase]) : std::nullopt});
+  auto const frequencies = frequency.values.values();
+  auto const magnitudes = magnitude.values.values();
+  auto const phases = phase != nullptr ? phase->values.values() : std::vector<double>();
+  for (std::size_t row = 0; row < frequencies.size() && row < magnitudes.size(); ++row) {
+    if (!(frequencies[row] > 0) || !std::isfinite(frequencies[row]) || !std::isfinite(magnitudes[row]))
+      continue;
+    bool const has_phase = row < phases.size() && std::isfinite(phases[row]);
+    points.push_back({.frequency = frequencies[row],
+                      .magnitude_db = magnitudes[row],
+                      .phase_deg = has_phase ? std::optional(phases[row]) : std::nullopt});
   }
   if (points.empty()) throw Failure({says::measured_nothing, {{"file", path}}});
   std::stable_sort(points.begin(), points.end(),

@@ -146,10 +146,14 @@ pictures::Figure driven_figure(PictureQuestion const& question, Plotted& now, Pl
 
 pictures::Figure compared(PictureQuestion const& question, InputImage const& input) {
   auto const& contents = input.image.contents;
-  auto const axis = recorded_axis(contents, question.axis ? question.axis : input.axis(), question.input);
+  RecordedMachine const machine{.path = question.input,
+                                .image = contents,
+                                .machine = input.machine ? &input.machine->machine : nullptr};
+  auto const recording = open_recording(*question.recording);
+  auto const axis = recorded_axis(machine, question.axis ? question.axis : input.axis(), recording);
   auto const commands =
       read_timed_commands(question.commands, input.image, question.input, question.language);
-  auto const found = compare_axis(contents, axis, *question.recording, question.columns, question.unit,
+  auto const found = compare_axis(machine, axis, recording, question.columns, question.units,
                                   kernel_switches(commands, contents, axis, question.input));
   return compare_figure(found, axis_label(contents, axis), contents.cycle_time.seconds(), question.language);
 }

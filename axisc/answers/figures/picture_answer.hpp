@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/answers/contour/contour_groups.hpp"
-#include "axisc/answers/execution/recorded_units.hpp"
+#include "axisc/answers/execution/recorded_scale.hpp"
 #include "axisc/answers/figures/plots.hpp"
 #include "axisc/checking/machine_input.hpp"
 #include "axisc/files/recorded_columns.hpp"
@@ -59,7 +59,7 @@ struct PictureQuestion {
   std::optional<std::string> plant, move;     ///< plant: a file, and "AXIS:MM[:MM_PER_MIN]"
   std::optional<std::string> recording = {};  ///< compare: a file
   WantedColumns columns;
-  RecordedUnit unit = RecordedUnit::recognised;
+  PositionUnits units = {};
   Language language = Language::english;
 };
 

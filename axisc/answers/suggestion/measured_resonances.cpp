@@ -6,17 +6,13 @@
 #include "diagnostics/format_number.hpp"
 
 #include <array>
-#include <vector>
+#include <cmath>
+#include <tuple>
+#include <utility>
+#include <variant>
 
 namespace axisc::says {
 
-constexpr Sentence no_rows{"{file} has no table of numbers", "{file} hat keine Tabelle von Zahlen"};
-constexpr Sentence not_a_number{"{file}:{line}: not a row of numbers",
-                                "{file}:{line}: keine Zeile von Zahlen"};
-constexpr Sentence field_count{"{file}:{line}: another number of columns than before",
-                               "{file}:{line}: eine andere Zahl von Spalten als zuvor"};
-constexpr Sentence mixed_numbers{"{file}: column {column} has decimal points and decimal commas",
-                                 "{file}: Spalte {column} hat Dezimalpunkte und Dezimalkommas"};
 constexpr Sentence no_columns{
     "{file} is not a measurement: it needs columns time and two signals, or frequency_hz and magnitude_db, "
     "perhaps with phase_deg and coherence",
@@ -25,13 +21,20 @@ constexpr Sentence no_columns{
 constexpr Sentence choose_columns{
     "{file}: name the input with --in and the output with --out; there are {column}",
     "{file}: mit --in den Eingang und mit --out den Ausgang nennen; es gibt {column}"};
-constexpr Sentence unknown_column{"{file} has no column {column}", "{file} hat keine Spalte {column}"};
-constexpr Sentence uneven_time{"{file}:{line}: samples are missing; record again without gaps",
-                               "{file}:{line}: Abtastwerte fehlen; noch einmal ohne Lücken aufzeichnen"};
+constexpr Sentence uneven_time{"{place}: samples are missing; record again without gaps",
+                               "{place}: Abtastwerte fehlen; noch einmal ohne Lücken aufzeichnen"};
+constexpr Sentence other_sample_time{
+    "{file}: column {in} has a sample every {first} ms, column {out} every {second} ms; record both with one "
+    "sample time",
+    "{file}: Spalte {in} hat alle {first} ms einen Abtastwert, Spalte {out} alle {second} ms; beide mit "
+    "einer "
+    "Abtastzeit aufzeichnen"};
 constexpr Sentence uneven_frequency{"{file}:{line}: frequencies do not rise",
                                     "{file}:{line}: die Frequenzen steigen nicht"};
-constexpr Sentence long_measured_row{"{file}:{line}: the line is longer than 1 MiB",
-                                     "{file}:{line}: die Zeile ist länger als 1 MiB"};
+constexpr Sentence not_a_number{"{file}:{line}: not a row of numbers",
+                                "{file}:{line}: keine Zeile von Zahlen"};
+constexpr Sentence one_row{"{file} has only one row of numbers: record for longer",
+                           "{file} hat nur eine Zeile von Zahlen: länger aufzeichnen"};
 constexpr Sentence too_large{"{file} is larger than {limit} MiB: record for a shorter time",
                              "{file} ist größer als {limit} MiB: kürzer aufzeichnen"};
 
@@ -84,27 +87,107 @@ recordings::ByteSource limited_source(std::string const& path) {
 }
 
 /// By tuning::MeasurementProblem, by tuning::Doubt.
-constexpr std::array<SentenceRef, 10> problems = {
-    says::no_rows,          says::not_a_number,     says::field_count,    says::mixed_numbers,
-    says::no_columns,       says::choose_columns,   says::unknown_column, says::uneven_time,
-    says::uneven_frequency, says::long_measured_row};
+constexpr std::array<SentenceRef, 4> problems = {says::no_columns, says::one_row, says::not_a_number,
+                                                 says::uneven_frequency};
 constexpr std::array<SentenceRef, 5> doubts = {says::too_short, says::no_peak, says::no_excitation,
                                                says::incoherent, says::moving};
 
-}  // namespace
+using recordings::Object;
 
-MeasuredResonances measured_resonances(std::string const& path, tuning::SignalColumns const& columns,
-                                       double highest) {
-  auto const read = tuning::read_measurement(limited_source(path), columns);
-  if (auto const* const bad = std::get_if<tuning::BadMeasurement>(&read)) {
-    throw Failure({problems[static_cast<std::size_t>(bad->problem)],
-                   {{"file", path}, {"line", std::to_string(bad->line)}, {"column", bad->column}}},
+/// What excites the axis, and its answer.
+struct Pair {
+  Object in, out;
+};
+constexpr std::array pairs{Pair{.in = Object::torque, .out = Object::velocity},
+                           Pair{.in = Object::command_position, .out = Object::actual_position}};
+
+/// Input and output. Failure where they have to be named.
+std::array<ChosenColumn, 2> chosen_columns(RecordingFile const& file, AxisPlace const& axis,
+                                           SignalColumns const& wanted) {
+  std::array<std::optional<ChosenColumn>, 2> chosen;
+  if (wanted.in) chosen[0] = named_column(file, *wanted.in);
+  if (wanted.out) chosen[1] = named_column(file, *wanted.out);
+  for (auto const& pair : pairs) {
+    if (chosen[0] || chosen[1]) break;
+    auto const in = find_column(file, axis, pair.in, "--in");
+    auto const out = find_column(file, axis, pair.out, "--out");
+    if (in && out) chosen = {in, out};
+  }
+  bool const is_plain = file.recording.form == recordings::Form::columns;
+  if (is_plain && file.recording.channels.size() == 2) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (chosen.at(i)) continue;
+      auto const& other = chosen.at(1 - i);
+      chosen.at(i) = ChosenColumn{.channel = other ? 1 - other->channel : i, .by = FoundBy::order};
+    }
+  }
+  if (chosen[0] && chosen[1]) return {*chosen[0], *chosen[1]};
+  throw Failure({says::choose_columns, {{"file", file.name}, {"column", file.known()}}}, csv_malformed);
+}
+
+tuning::Measurement signals_of(RecordingFile const& file, std::array<ChosenColumn, 2> const& columns) {
+  auto const& [channels, clocks] = std::tie(file.recording.channels, file.recording.clocks);
+  std::array const chosen{columns[0].channel, columns[1].channel};
+  std::array<double, 2> sample_times{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    auto const& clock = clocks[channels[chosen.at(i)].clock];
+    if (clock.is_counted) throw Failure({says::no_columns, {{"file", file.name}}}, csv_malformed);
+    if (clock.problem) fail_clock(file, chosen.at(i));
+    if (clock.samples < 2) throw Failure({says::one_row, {{"file", file.name}}}, csv_malformed);
+    sample_times.at(i) = recordings::sample_time(clock);
+  }
+  constexpr double alike = 0.01;
+  if (std::abs(sample_times[0] - sample_times[1]) > alike * sample_times[0]) {
+    throw Failure({says::other_sample_time,
+                   {{"file", file.name},
+                    {"in", shown_column(channels[chosen[0]].name)},
+                    {"out", shown_column(channels[chosen[1]].name)},
+                    {"first", format_rounded(sample_times[0], 6)},
+                    {"second", format_rounded(sample_times[1], 6)}}},
                   csv_malformed);
   }
-  auto const& measurement = std::get<tuning::Measurement>(read);
+  auto const joined = cycles_of(file, chosen, sample_times[0]);
+  if (!joined.gaps.empty()) {
+    throw Failure({says::uneven_time, {{"place", file.place(chosen[0], joined.gaps.front())}}},
+                  csv_malformed);
+  }
+  constexpr double per_second = 1000;
+  return {.kind = tuning::MeasurementKind::signals,
+          .response = {},
+          .in = joined.signals[0].values(),
+          .out = joined.signals[1].values(),
+          .sampling_rate = per_second / sample_times[0],
+          .in_name = channels[chosen[0]].name,
+          .out_name = channels[chosen[1]].name};
+}
+
+tuning::Measurement response_of(RecordingFile const& file) {
+  auto read = tuning::response_measurement(file.recording);
+  if (auto const* const bad = std::get_if<tuning::BadMeasurement>(&read)) {
+    throw Failure({problems.at(static_cast<std::size_t>(bad->problem)),
+                   {{"file", file.name}, {"line", std::to_string(bad->line)}}},
+                  csv_malformed);
+  }
+  return std::get<tuning::Measurement>(std::move(read));
+}
+
+}  // namespace
+
+MeasuredResonances measured_resonances(std::string const& path, AxisPlace const& axis,
+                                       SignalColumns const& columns, double highest) {
+  auto const file = read_recording_file(path, limited_source(path));
+  MeasuredResonances answer;
+  tuning::Measurement measurement;
+  if (tuning::is_response(file.recording)) {
+    measurement = response_of(file);
+  } else {
+    auto const chosen = chosen_columns(file, axis, columns);
+    measurement = signals_of(file, chosen);
+    for (auto const& column : chosen) answer.mapping.push_back(mapped_column(file, column));
+  }
   auto found = tuning::identify(measurement, highest);
-  MeasuredResonances answer{
-      .kind = measurement.kind, .peaks = std::move(found.peaks), .refusal = std::nullopt};
+  answer.kind = measurement.kind;
+  answer.peaks = std::move(found.peaks);
   if (!found.doubt) return answer;
   Wording const place =
       found.doubtful_frequency > 0 ? " (" + format_rounded(found.doubtful_frequency, 3) + " Hz)" : "";

@@ -1,5 +1,6 @@
 #include "axisc/answers/suggestion/suggest_answer.hpp"
 
+#include "axisc/answers/execution/mapping_table.hpp"
 #include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 
@@ -114,6 +115,7 @@ void add_measured(std::vector<Block>& blocks, MeasuredResonances const& measured
                    quantity_or({}, peak.coherence, Unit::none, Digits::decimals(2))};
       }));
   if (measured.kind == tuning::MeasurementKind::spectrum) blocks.emplace_back(Paragraph{says::spectrum});
+  if (!measured.mapping.empty()) blocks.emplace_back(mapping_table({"in", "out"}, measured.mapping));
 }
 
 SentenceRef why_not_suggested(tuning::Candidate const& candidate, tuning::Task const& task) {

@@ -136,8 +136,9 @@ std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& qu
   std::vector<tuning::Resonance> resonances;
   if (question.measured) {
     constexpr double below_nyquist = 0.9;
-    measured = measured_resonances(*question.measured, question.columns,
-                                   below_nyquist * machine.cycle_time.nyquist().value);
+    bool const in_machine = machine.axes.size() > 1 || names_machine(question.machine.input);
+    measured = measured_resonances(*question.measured, axis_place(machine, *axis, in_machine),
+                                   question.columns, below_nyquist * machine.cycle_time.nyquist().value);
     found.refusal = measured->refusal;
     if (found.refusal) return found;
     for (auto const& peak : measured->peaks) {

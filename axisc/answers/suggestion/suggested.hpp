@@ -1,7 +1,6 @@
 // Filters against the vibration of an axis, and Improved Position Control.
 #pragma once
 
-#include "analysis/tuning/identification/measurement.hpp"
 #include "axisc/answers/suggestion/damping.hpp"
 #include "axisc/answers/suggestion/ramp_times.hpp"
 #include "axisc/answers/suggestion/suggestion.hpp"
@@ -20,7 +19,7 @@ struct SuggestQuestion {
   std::optional<std::string> axis;        ///< that vibrates; none: that of the list
   std::optional<std::string> resonances;  ///< see read_resonances(); none: those of the measurement
   std::optional<std::string> measured;    ///< a file
-  tuning::SignalColumns columns;          ///< of the measurement
+  SignalColumns columns;                  ///< of the measurement
   std::optional<std::string> plant;       ///< a file: compare Improved Position Control too
   double tolerance_mm = 0.01, feed_mm_per_min = 4000, radius_mm = 10;
   std::optional<tuning::Goal> goal;

@@ -1,4 +1,4 @@
-// Values of a recording, one a cycle, packed: a recording of 100 MB takes no more memory than its text.
+// Values of a recording, packed: a recording of 100 MB takes no more memory than its text.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,11 @@
 #include <variant>
 #include <vector>
 
-namespace axisc::comparison {
+namespace axisc::recordings {
 
-/// Values are read back exactly. Values that are whole multiples of a power of ten and lie close
-/// together take two or four bytes, others eight.
+/// Values are read back exactly. Values that are whole multiples of a power of ten and lie close together
+/// take two or four bytes, or none where they rise by equal steps, as times do; those of binary32 take four,
+/// others eight.
 class Signal {
  public:
   Signal() = default;
@@ -24,13 +25,17 @@ class Signal {
   [[nodiscard]] double back() const { return back_; }
   /// The values from `first` on; `into` lies within the signal.
   void read(std::size_t first, std::span<double> into) const;
+  [[nodiscard]] double at(std::size_t index) const;
   [[nodiscard]] std::vector<double> values() const;
 
  private:
   struct Block {
     std::int64_t base = 0;
     double per_unit = 1;  ///< values are (base + offset) / per_unit
-    std::variant<std::vector<std::int16_t>, std::vector<std::int32_t>, std::vector<double>> stored{};
+    /// One number: the step between offsets.
+    std::variant<std::int64_t, std::vector<std::int16_t>, std::vector<std::int32_t>, std::vector<float>,
+                 std::vector<double>>
+        stored{};
   };
 
   [[nodiscard]] bool pack(double per_unit, Block& block) const;
@@ -55,4 +60,4 @@ void for_each_part(Signal const& signal, Visit visit) {
   }
 }
 
-}  // namespace axisc::comparison
+}  // namespace axisc::recordings

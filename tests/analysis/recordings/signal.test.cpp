@@ -1,11 +1,11 @@
-#include "analysis/comparison/signal.hpp"
+#include "analysis/recordings/signal.hpp"
 
 #include "support/catch.hpp"
 
 #include <limits>
 #include <random>
 
-namespace axisc::comparison {
+namespace axisc::recordings {
 namespace {
 
 TEST_CASE("a packed signal has the values that were pushed") {
@@ -33,4 +33,4 @@ TEST_CASE("a packed signal has the values that were pushed") {
 }
 
 }  // namespace
-}  // namespace axisc::comparison
+}  // namespace axisc::recordings
