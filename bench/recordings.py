@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""axisc compare on a recording of 100 MB, beside numpy.loadtxt and wc -l on the same file.
+"""axisc compare on a recording of 100 MB, and its reader alone, beside numpy.loadtxt and wc -l on the same file.
 
     bench/recordings.py AXISC [REPETITIONS]
 
@@ -34,12 +34,13 @@ def write_recording(path):
             out.write("".join(f"{n}.0\t{a}\t{b}\n" for n, a, b in zip(part, x[part], y[part])))
 
 
-def measure(command, cwd):
+def measure(command, cwd, expected=0):
     """Seconds and MB."""
     begin = time.perf_counter()
-    child = subprocess.Popen(command, cwd=cwd, stdout=subprocess.DEVNULL)
+    child = subprocess.Popen(command, cwd=cwd, stdout=subprocess.DEVNULL,
+                             stderr=subprocess.DEVNULL if expected else None)
     _, status, usage = os.wait4(child.pid, 0)
-    if os.waitstatus_to_exitcode(status) != 0:
+    if os.waitstatus_to_exitcode(status) != expected:
         sys.exit(f"{command} failed")
     return time.perf_counter() - begin, usage.ru_maxrss / 1000
 
@@ -54,13 +55,17 @@ def main():
         # In a process of its own: a child's largest memory begins with that of its parent.
         subprocess.run([sys.executable, __file__, "--write", folder / "scope.csv"], check=True)
         load = "import numpy; numpy.loadtxt('scope.csv', delimiter='\\t', skiprows=1)"
-        contenders = {"axisc compare": [axisc, "compare", "x.lis", "scope.csv", "--cycle-time", "1ms"],
+        compare = [axisc, "compare", "x.lis", "scope.csv", "--cycle-time", "1ms"]
+        # A column that is not there is refused when all of the recording has been read.
+        reader = "axisc's reader"
+        contenders = {"axisc compare": compare,
+                      reader: compare + ["--in", "nothing"],
                       "numpy.loadtxt": [sys.executable, "-c", load],
                       "wc -l": ["wc", "-l", "scope.csv"]}
         best = {}
         for _ in range(repetitions):
             for what, command in contenders.items():
-                seconds, memory = measure(command, folder)
+                seconds, memory = measure(command, folder, 2 if what == reader else 0)
                 best[what] = min(best.get(what, (1e9, 0)), (seconds, memory))
         own = best["axisc compare"][0]
         print(f"{(folder / 'scope.csv').stat().st_size / 1e6:.0f} MB")

@@ -5,6 +5,7 @@
 #include "analysis/recordings/text_encoding.hpp"
 #include "analysis/recordings/text_recording.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -13,11 +14,11 @@ namespace axisc::recordings {
 namespace {
 
 std::string all_bytes(ByteSource const& source) {
-  constexpr std::size_t piece = std::size_t{1} << 20U;
+  constexpr std::size_t least = std::size_t{1} << 16U;
   std::string bytes;
   for (;;) {
     auto const filled = bytes.size();
-    bytes.resize(filled + piece);
+    bytes.resize(filled + std::max(filled, least));
     auto const got = source(std::span(bytes).subspan(filled));
     bytes.resize(filled + got);
     if (got == 0) return bytes;

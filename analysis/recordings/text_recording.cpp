@@ -18,6 +18,8 @@ namespace {
 
 /// Of a text without names: they decide which columns are times.
 constexpr std::size_t deciding_rows = 256;
+/// Bytes before the first row: of thousands of channels.
+constexpr std::size_t longest_header = std::size_t{8} << 20U;
 /// A comment of a channel may have so many lines that look like rows.
 constexpr std::size_t longest_comment = 64;
 
@@ -64,6 +66,7 @@ class Reader {
   /// All lines before the first row, which is the first one ahead.
   bool read_header() {
     std::optional<TableKey> key;
+    std::size_t header_size = 0;
     for (std::string_view line; next(line);) {
       if (auto const found = table_key(line)) {
         key = found;
@@ -73,6 +76,8 @@ class Reader {
         key = table_key(header_.back().text);
         continue;
       }
+      header_size += line.size();
+      if (header_size > longest_header) break;
       header_.push_back({lines_.number(), std::string(line)});
     }
     if (!ahead_.empty()) return true;

@@ -28,12 +28,12 @@ constexpr Sentence option_recorded_program{
     "das aufgezeichnete NC-Programm: seine Bahn vergleichen, nicht die Filter; Spalten sind die der Achsen, "
     "--in nennt sie als X=SPALTE, einmal je Achse"};
 constexpr Sentence option_emit{
-    "settings: write the readings that fit as \"design\" of axisc.json instead, with --program as "
-    "\"motion\". Without a recording, program: an NC program whose recording tells the readings of "
-    "\"motion\"; template: what a scope is to record (.tcscopex)",
-    "settings: stattdessen die passenden Lesarten als \"design\" für axisc.json ausgeben, mit --program als "
-    "\"motion\". Ohne Aufzeichnung, program: ein NC-Programm, dessen Aufzeichnung die Lesarten von "
-    "\"motion\" zeigt; template: was ein Scope aufzeichnen soll (.tcscopex)"};
+    "settings: the readings that fit, as \"design\" of axisc.json, with --program as \"motion\"; without a "
+    "recording, program: an NC program that tells the readings of \"motion\"; template: what a scope is to "
+    "record",
+    "settings: die passenden Lesarten als \"design\" für axisc.json, mit --program als \"motion\"; ohne "
+    "Aufzeichnung, program: ein NC-Programm, das die Lesarten von \"motion\" zeigt; template: was ein Scope "
+    "aufzeichnen soll"};
 constexpr Sentence option_net_id{"AMS NetId of the control, for --emit template",
                                  "AMS-NetId der Steuerung, für --emit template"};
 constexpr Sentence option_purpose{"what the template's recording is for (default: compare)",

@@ -1,6 +1,7 @@
 #include "axisc/answers/comparison/recording_template.hpp"
 
 #include "analysis/recordings/template/scope_template.hpp"
+#include "axisc/answers/execution/recorded_scale.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
@@ -86,8 +87,9 @@ RecordingTemplate recording_template(TemplateQuestion const& question, machine::
                                             .cycle_ms = machine.cycle_time.microseconds() / microseconds,
                                             .comment = render({says::use_template}, language)};
   std::vector<recordings::TemplateAxis> axes;
+  bool const in_machine = machine.axes.size() > 1 || names_machine(question.machine);
   for (auto const axis : axes_of(question, machine)) {
-    auto const place = axis_place(machine, axis, true);
+    auto const place = axis_place(machine, axis, in_machine);
     if (place.channel == 0) {
       throw Failure({says::in_no_channel, {{"machine", question.machine}, {"axis", place.name}}});
     }

@@ -191,13 +191,13 @@ TEST_CASE("the numbers of a scaled column are raw, scaled, or asked about") {
     for (double& value : values) value = value / 10000 + 5;
     return values;
   };
+  // Of 32 bits, 320000 would be a raw number that is too large.
   for (auto& column : columns) {
     column.factor = 0.0001;
     column.add = 5;
   }
-  // All numbers fit INT32 raw, but not scaled: 5 is the raw 0, 6 would be 10000.
-  columns[0].values[3] = 4;
-  columns[0].values[3] = 0;
+  CHECK(told(machine.compare(columns, {"--format", "json"}))["mapping"][0]["numbers"] == "raw");
+  for (auto& column : columns) column.type = "INT64";
   auto const open = machine.compare(columns);
   CHECK(open.status == 2);
   CHECK_THAT(open.err, Contains("factor 0.0001, offset 5") && Contains("--scaled or --raw"));
@@ -244,6 +244,12 @@ TEST_CASE("a template records what compare needs, and its objects are recognised
   CHECK_THAT(emit({"--netid", "1.2.3.4"}).err, Contains("six numbers"));
   CHECK(emit({"--netid", "1.2.3.4.5.256"}).status == 2);
   CHECK(emit({"--netid", "1.2.3.4.1.1", "--axis", "Q"}).status == 2);
+  // Of a list by itself nobody knows where its control has the axis.
+  auto const alone = run_axisc(
+      {"compare", "x.lis", "--alone", "--cycle-time", "1ms", "--emit", "template", "--netid", "1.2.3.4.1.1"},
+      there);
+  CHECK(alone.status == 2);
+  CHECK_THAT(alone.err, Contains("x.lis: axis x is in no channel"));
   auto const outcome = emit({"--netid", "1.2.3.4.1.1"});
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.err, Contains("Measurement project"));
