@@ -6,7 +6,7 @@
 namespace axisc::runtime::bounds {
 namespace {
 
-constexpr uint32_t cycles_between_checks = 64;
+constexpr uint32_t cycles_between_rests = 64;
 /// What is left counts no more below this part of what was found.
 constexpr double negligible = 0x1p-44;
 
@@ -203,7 +203,7 @@ void follow_response(Chain const& chain, KernelPart const& kernel, Response& res
   bool ended = false;
   uint32_t n = 0;
   while (!ended && n < longest_response) {
-    for (uint32_t const end = n + cycles_between_checks; n < end; ++n) {
+    for (uint32_t const end = n + cycles_between_rests; n < end; ++n) {
       Signal const y = follower.step({.excess = -kernel.tail(n), .d = n <= kernel.count ? kernel.tap(n) : 0});
       gain.add(magnitude(y.d));
       distance.add(magnitude(y.excess));

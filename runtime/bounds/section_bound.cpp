@@ -6,7 +6,7 @@
 namespace axisc::runtime::bounds {
 namespace {
 
-constexpr uint32_t cycles_between_checks = 16;
+constexpr uint32_t cycles_of_walk = 16;
 constexpr double shrunk = 0x1p-24;
 constexpr double shrunk_with_rounding = 0x1p-23;
 /// What roundings of a cycle add to the scaled states, for every unit of their sum.
@@ -92,12 +92,12 @@ SectionBound bound_section(double p, double q, double k, double b, bool blocks_c
   Matrix power{};
   uint32_t cycles = 0;
   do {
-    for (uint32_t i = 0; i < cycles_between_checks; ++i) {
+    for (uint32_t i = 0; i < cycles_of_walk; ++i) {
       of_e.step(k, b);
       of_r.step(k, b);
       of_impulse.step(k, b);
     }
-    cycles += cycles_between_checks;
+    cycles += cycles_of_walk;
     power = {of_e.e, of_r.e * s, of_e.r / s, of_r.r};
   } while (row_norm(power) > shrunk && cycles < longest_walk);
 
