@@ -79,8 +79,8 @@ Description description_of(Parameter const& parameter) {
   if (parameter.kind != ListKind::axis) return {};
   auto const rows = parameters();
   // Rows of schema files lie elsewhere.
-  bool const is_built_in = std::greater_equal<>{}(&parameter, rows.data()) &&
-                           std::less<>{}(&parameter, rows.data() + rows.size());
+  bool const is_built_in =
+      std::greater_equal<>{}(&parameter, rows.data()) && std::less<>{}(&parameter, rows.data() + rows.size());
   auto const found = is_built_in ? rows.begin() + (&parameter - rows.data())
                                  : std::find_if(rows.begin(), rows.end(), [&](Parameter const& row) {
                                      return row.name == parameter.name;

@@ -1,7 +1,6 @@
 #include "validator/engine/rule_title.hpp"
 
 #include "schema/descriptions/description.hpp"
-#include "validator/rules/page_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,10 +21,6 @@ void add(std::vector<Page>& sections, Page const& section) {
 }
 
 }  // namespace
-
-Page const& title(Rule const& rule) {
-  return page_title_table()[number_of(rule)];
-}
 
 std::vector<Page> manual_sections(Rule const& rule) {
   std::vector<Page> sections;

@@ -1,5 +1,5 @@
 // Finds what a person means by a few words: parameters, rules, messages of the control, words of NC programs
-// and topics, by their names, by the words that people use for them (schema/lookup.json), and by their
+// and topics, by their names, by the words that people use for them (schema/lookup/lookup.json), and by their
 // meanings in both languages.
 #pragma once
 

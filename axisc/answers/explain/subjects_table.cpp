@@ -9,7 +9,6 @@
 namespace axisc::says {
 
 constexpr Sentence also{"also", "auch"};
-constexpr Sentence topic{"topic", "Thema"};
 
 }  // namespace axisc::says
 

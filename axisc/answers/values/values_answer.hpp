@@ -16,8 +16,8 @@ struct ValuesQuestion {
 };
 
 /// A value as the merged lists give it: with unit, meaning and origin, and with what the control replaces it
-/// by where a finding tells. Findings do not prevent it. Failure where the input cannot be read, and for words
-/// that name nothing.
+/// by where a finding tells. Findings do not prevent it. Failure where the input cannot be read, and for
+/// words that name nothing.
 [[nodiscard]] presentation::Document values_answer(Workspace& workspace, ValuesQuestion const& question);
 
 }  // namespace axisc
