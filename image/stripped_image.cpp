@@ -58,6 +58,7 @@ std::vector<std::byte> stripped_image(std::span<std::byte const> image) {
     kept.push_back(std::move(section));
   }
   std::vector<SectionContent const*> sections;
+  sections.reserve(kept.size());
   for (auto const& section : kept) sections.push_back(&section);
   std::string compiler;
   for (auto const octet : header.get(fields::header::compiler_version))

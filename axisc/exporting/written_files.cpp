@@ -13,6 +13,7 @@ namespace axisc {
 void write_files(std::string const& folder, std::vector<image::ExportedFile> const& files,
                  std::vector<std::string> const& sources) {
   std::vector<std::string> paths;
+  paths.reserve(files.size());
   for (auto const& file : files) paths.push_back(system::name_of(system::path_of(folder) / file.name));
   refuse_overwriting(paths, sources);
   // Where this fails, so does the first file, which says why.
