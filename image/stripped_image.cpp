@@ -60,9 +60,8 @@ std::vector<std::byte> stripped_image(std::span<std::byte const> image) {
   std::vector<SectionContent const*> sections;
   sections.reserve(kept.size());
   for (auto const& section : kept) sections.push_back(&section);
-  std::string compiler;
-  for (auto const octet : header.get(fields::header::compiler_version))
-    compiler.push_back(static_cast<char>(octet));
+  auto const octets = header.get(fields::header::compiler_version);
+  std::string const compiler(octets.begin(), octets.end());
   return codegen::assemble_image({.format_minor = header.get(fields::header::format_minor),
                                   .cycle_time_ns = header.get(fields::header::cycle_time_ns),
                                   .axis_count = header.get(fields::header::axis_count),
