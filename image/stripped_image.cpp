@@ -53,7 +53,9 @@ std::vector<std::byte> stripped_image(std::span<std::byte const> image) {
     auto const at = header.get(fields::header::header_size) + i * records::section::bytes;
     SectionContent section =
         section_of(image, ConstRecord<records::section>(image.subspan(at, records::section::bytes)));
-    if ((section.flags & axim_flag_optional) != 0) continue;
+    bool const is_dropped =
+        (section.flags & axim_flag_optional) != 0 && section.kind != codegen::sections::bounds.kind;
+    if (is_dropped) continue;
     clear_references(section);
     kept.push_back(std::move(section));
   }

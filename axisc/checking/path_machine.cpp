@@ -82,8 +82,9 @@ std::optional<CheckedMachine> checked_machine(Workspace& workspace, MachineReque
   return checked;
 }
 
-ImageFile image_of(machine::Machine const& machine, std::string const& path) {
-  auto const bytes = codegen::write_image(machine, {});
+ImageFile image_of(machine::Machine const& machine, std::string const& path,
+                   codegen::ImageOptions const& options) {
+  auto const bytes = codegen::write_image(machine, options);
   auto contents = image::read_image(bytes);
   if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
   return {.bytes = codegen::AlignedBytes(bytes),

@@ -6,6 +6,7 @@
 #include "axisc/checking/machine_input.hpp"
 #include "axisc/files/image_file.hpp"
 #include "axisc/workspace/machine_search.hpp"
+#include "codegen/image_writer.hpp"
 #include "configuration/machine/machine.hpp"
 #include "validator/commands/command_check.hpp"
 
@@ -45,8 +46,10 @@ struct MachineRequest {
                                                             MachineRequest const& request,
                                                             ErrorSink const& errors);
 
-/// The image of a machine, in memory.
-[[nodiscard]] ImageFile image_of(machine::Machine const& machine, std::string const& path);
+/// The image of a machine, in memory: without bounds where nothing else is asked for, as they are not needed
+/// to execute it.
+[[nodiscard]] ImageFile image_of(machine::Machine const& machine, std::string const& path,
+                                 codegen::ImageOptions const& options = {});
 
 /// The runtime for one of the machine's groups. Failure for more axes than a path has.
 /// With `machine`, whose axes the group's are, also what delays their positions after the filters.

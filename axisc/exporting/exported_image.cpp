@@ -26,7 +26,8 @@ std::optional<ExportedImage> exported_image(Workspace& workspace, MachineRequest
   }
   auto const checked = checked_machine(workspace, request, errors);
   if (!checked) return std::nullopt;
-  return ExportedImage{.file = image_of(checked->machine, request.input), .sources = checked->files};
+  return ExportedImage{.file = image_of(checked->machine, request.input, {.bounds = true}),
+                       .sources = checked->files};
 }
 
 }  // namespace axisc

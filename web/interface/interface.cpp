@@ -205,7 +205,7 @@ int axisc_compile(axisc_workspace* workspace, char const* path, axisc_bytes* ima
     CheckingOptions const checking;
     auto const compiled = compile_input({.workspace = *now,
                                          .checking = checking,
-                                         .image = {},
+                                         .image = {.bounds = true},
                                          .language = workspace->language,
                                          .designs = designs},
                                         machine);

@@ -47,19 +47,23 @@ Symbol symbol(std::array<Word, size> const& words, std::size_t index) {
 
 Table mapping_table(std::vector<std::string> const& signals, std::vector<MappedColumn> const& columns) {
   Table table{.key = "mapping",
-              .columns = {head_column("signal", says::column_signal), column("column", says::column_column),
-                          data_column("number"), column("found_by", says::column_found_by),
-                          column("unit", says::column_unit), column("numbers", says::column_numbers),
+              .columns = {head_column("signal", says::column_signal),
+                          column("column", says::column_column),
+                          data_column("number"),
+                          column("found_by", says::column_found_by),
+                          {.key = {}, .label = says::column_unit, .audience = Audience::people},
+                          data_column("unit"),
+                          column("numbers", says::column_numbers),
                           column("sample_time_ms", says::column_every, Unit::millisecond)}};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     auto const& one = columns[i];
     constexpr int digits = 6;
     Value const every =
         one.sample_time_ms > 0 ? Value(rounded(one.sample_time_ms, Unit::millisecond, digits)) : Value();
-    table.rows.push_back({signals.at(i), one.name, one.number,
-                          symbol(found_by, static_cast<std::size_t>(one.by)),
-                          one.unit.empty() ? Value() : Value(one.unit),
-                          symbol(scalings, static_cast<std::size_t>(one.scaling)), every});
+    table.rows.push_back(
+        {signals.at(i), one.name, one.number, symbol(found_by, static_cast<std::size_t>(one.by)),
+         one.unit.empty() ? Value() : Value(one.unit), one.unit.empty() ? Value() : Value(one.unit.written()),
+         symbol(scalings, static_cast<std::size_t>(one.scaling)), every});
   }
   return table;
 }

@@ -320,7 +320,7 @@ TEST_CASE("a measured resonance is suggested for like a named one, and doubtful 
   folder.write("bode.csv", "time,a,b\n0,1,2\n0.001,2,x\n");
   auto const broken = measured(there);
   CHECK(broken.status == 2);
-  CHECK(broken.err.find("bode.csv:3: not a row of numbers") != std::string::npos);
+  CHECK(broken.err.find(R"(bode.csv:3: "x" in column "b" is not a number)") != std::string::npos);
   CHECK(measured(there, {"--resonance", "48Hz"}).status == 2);
   CHECK(suggest(there, {"--in", "a"}).status == 2);
 }
