@@ -11,13 +11,19 @@
 
 namespace axisc::test {
 
+/// Without its heading and the blank line below.
+inline std::string embedded_page(std::string const& path) {
+  std::string const text = read_source_file(path);
+  return text.substr(text.find("\n\n") + 2);
+}
+
 /// The English pages of two rules, as the program embeds them.
 inline Page page_of_delay() {
-  static std::string const text = read_source_file("validator/rules/AX3005-delay-too-long/en.md");
+  static std::string const text = embedded_page("validator/rules/AX3005-delay-too-long/en.md");
   return {.english = text, .german = {}};
 }
 inline Page page_of_cycle_time() {
-  static std::string const text = read_source_file("validator/rules/AX9006-cycle-time-assumed/en.md");
+  static std::string const text = embedded_page("validator/rules/AX9006-cycle-time-assumed/en.md");
   return {.english = text, .german = {}};
 }
 

@@ -13,7 +13,7 @@ SHARE = os.path.abspath(sys.argv[1])
 STUB = "axisc() { printf '<%s>' \"$@\"; echo; }\n"
 # What is typed, and what the program is then called with.
 LINES = [
-    ("axisc exp\tAX1001", "<explain><AX1001>"),
+    ("axisc expl\tAX1001", "<explain><AX1001>"),
     ("axisc lint --stat\t", "<lint><--statistics>"),
     ("axisc lint --format sa\t", "<lint><--format><sarif>"),
     ("axisc lint --format=gitl\t", "<lint><--format=gitlab>"),
