@@ -103,7 +103,8 @@ AxisPlace place_of(RecordedMachine const& machine, std::size_t axis) {
 void read_positions(RecordedAxis& found, RecordingFile const& file, PositionUnits const& units,
                     image::ImageAxis const& axis) {
   auto& [input, output, gaps, first] = found.columns.recording;
-  auto scale_of = [&](ChosenColumn const& column, recordings::Signal const& signal) {
+  // clang 14 takes structured bindings only by name.
+  auto scale_of = [&, &gaps = gaps](ChosenColumn const& column, recordings::Signal const& signal) {
     return column_scale(file, column, units, axis, signal, gaps);
   };
   auto in = scale_of(found.columns.input, input);
