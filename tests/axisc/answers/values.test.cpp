@@ -126,8 +126,8 @@ TEST_CASE("values in force are those of the compiled machine") {
         validator::check(workspace.files(), path.string(), workspace.options_of(path.string()), sources);
     if (!result.machine) continue;
     auto const& axes = result.machine->axes;
-    auto const found =
-        std::find_if(axes.begin(), axes.end(), [&](auto const& axis) { return axis.name == name; });
+    auto const found = std::find_if(axes.begin(), axes.end(),
+                                    [&, &wanted = name](auto const& axis) { return axis.name == wanted; });
     REQUIRE(found != axes.end());
     auto const number = [&, &machine = path, &axis = name](std::string const& parameter) {
       auto const values = values_of(machine.string(), {axis, parameter})["values"];

@@ -198,8 +198,6 @@ TEST_CASE("the machine file says what drives delay") {
 
 TEST_CASE("the picture of delays stacks what lies behind the filters") {
   TemporaryFolder const folder;
-  std::string const pt1 =
-      "filter[0].type PT1\nfilter[0].enable 1\nfilter[0].order 1\nfilter[0].time_constant 4000\n";
   folder.write("x.lis",
                pt1 + "kenngr.antr_typ 3\nvorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\nEnde\n");
   folder.write("y.lis", pt1 + "Ende\n");
