@@ -28,20 +28,20 @@ class Changes {
     acceleration_ = view.axes[axis][field::axis::acceleration_limit] * 1e4 * T * T;
   }
 
-  void add(uint32_t to, uint32_t cycles) {
+  void add_kernel(uint32_t to, uint32_t cycles) {
     if (cycles == 0 || !(velocity_ > 0) || !(acceleration_ > 0)) return;
     BoundKeys keys(view_, axis_);
     BoundKey from{};
     KernelPart const target = read_kernel(view_, to, false);
     while (keys.next(from) && from.axis == axis_ && from.port == axim_port_setpoint) {
-      add(tail_distance(read_kernel(view_, from.kernel, false), target), cycles);
+      add_distance(tail_distance(read_kernel(view_, from.kernel, false), target), cycles);
     }
   }
 
   [[nodiscard]] ChangeBound const& largest() const { return largest_; }
 
  private:
-  void add(double distance, uint32_t cycles) {
+  void add_distance(double distance, uint32_t cycles) {
     constexpr double ten_over_root_3 = 5.773502691896258;
     double const F = cycles;
     double const L = gain_ * distance;
@@ -68,13 +68,13 @@ ChangeBound bound_changes(ImageView const& view, uint32_t axis, double gain) {
   Record<record::slot> const slot = view.slots[number];
   if (slot[field::slot::group] == AXIM_NONE) return {};
   Record<record::group> const group = view.groups[slot[field::slot::group]];
-  changes.add(AXIM_NONE, group[field::group::off_fade_cycles]);
+  changes.add_kernel(AXIM_NONE, group[field::group::off_fade_cycles]);
   uint32_t const place = slot[field::slot::member] - group[field::group::first_member];
   for (uint32_t i = 0; i < group[field::group::bank_count]; ++i) {
     Record<record::bank> const bank = view.banks[group[field::group::first_bank] + i];
     if (family_of(bank[field::bank::keywords]) != slot[field::slot::family]) continue;
     uint32_t const choice = bank[field::bank::first_choice] + place;
-    changes.add(view.choices[choice][field::choice::kernel], bank[field::bank::fade_cycles]);
+    changes.add_kernel(view.choices[choice][field::choice::kernel], bank[field::bank::fade_cycles]);
   }
   return changes.largest();
 }
