@@ -99,7 +99,7 @@ std::optional<Hit> slip(SearchEntry const& entry, Query const& query) {
 
 bool is_slip_of(std::string const& word, std::string const& known) {
   auto const accepted = accepted_slips(word.size());
-  auto const [shorter, longer] = std::minmax(word.size(), known.size());
+  auto const [shorter, longer] = std::minmax({word.size(), known.size()});
   return accepted > 0 && longer - shorter <= accepted && accepted_slips(known.size()) > 0 &&
          schema::edit_distance(word, known, accepted) <= accepted;
 }
