@@ -166,8 +166,7 @@ constexpr Sentence least_corner_velocity{
 constexpr Sentence feed_forward{
     "Switches feedforward on for the axes of the channel; programs begin without. Their positions then "
     "arrive 5 cycles later, but with P-AXIS-00566. Where axes differ in that, `simulate` lets it act at "
-    "rest, "
-    "a reading.",
+    "rest, a reading.",
     "Schaltet die Vorsteuerung der Achsen des Kanals ein; Programme beginnen ohne. Ihre Positionen kommen "
     "dann 5 Zyklen später an, außer mit P-AXIS-00566. Sind Achsen darin verschieden, wirkt es in `simulate` "
     "im Stand: eine Lesart."};
@@ -175,8 +174,7 @@ constexpr Sentence weigh_feedforward{
     "Weighs what is fed forward, in percent up to 100, of the axes named in the block. It changes what the "
     "drive gets beside the position, which is planned and filtered as before.",
     "Gewichtet, was vorgesteuert wird, in Prozent bis 100, für die Achsen, die der Satz nennt. Es ändert, "
-    "was "
-    "der Antrieb neben der Position bekommt; geplant und gefiltert wird diese wie zuvor."};
+    "was der Antrieb neben der Position bekommt; geplant und gefiltert wird diese wie zuvor."};
 constexpr Sentence feed_no_more{
     "Switches feedforward off again, but where P-AXIS-00255 keeps it on. This is the initial state.",
     "Schaltet die Vorsteuerung wieder aus, außer wo P-AXIS-00255 sie immer einschaltet. Das ist der "

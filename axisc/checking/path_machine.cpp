@@ -106,8 +106,8 @@ motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup
     std::vector<machine::PositionDelay> at_start;
     std::vector<machine::PositionDelay> fed_forward;
     for (auto const axis : group.axes) {
-      at_start.push_back(machine->axes[axis].position_delay);
-      fed_forward.push_back(machine->axes[axis].feedforward_delay);
+      at_start.push_back(machine::position_delay(machine->axes[axis].drive_path));
+      fed_forward.push_back(machine::position_delay(machine->axes[axis].fed_forward_path));
     }
     made.delay(at_start, fed_forward);
   }

@@ -2,6 +2,7 @@
 
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
+#include "axisc/files/recording_problems.hpp"
 #include "diagnostics/ascii.hpp"
 
 #include <algorithm>
@@ -11,18 +12,14 @@ namespace axisc::says {
 
 constexpr Sentence not_found{
     "{file} has no column that is the {signal} position of axis {axis}; name it with {option} COLUMN; there "
-    "are "
-    "{known}",
+    "are {known}",
     "{file} hat keine Spalte, die die Position \"{signal}\" der Achse {axis} ist; sie mit {option} SPALTE "
-    "nennen; "
-    "vorhanden sind {known}"};
+    "nennen; vorhanden sind {known}"};
 constexpr Sentence several{
     "{file} has several columns that may be the {signal} position of axis {axis}: {known}; name one with "
-    "{option} "
-    "COLUMN",
+    "{option} COLUMN",
     "{file} hat mehrere Spalten, die die Position \"{signal}\" der Achse {axis} sein können: {known}; eine "
-    "mit "
-    "{option} SPALTE nennen"};
+    "mit {option} SPALTE nennen"};
 constexpr Sentence envelope{
     "{file}: \"{column}\" is half of an envelope (minimum and maximum); export the samples themselves",
     "{file}: \"{column}\" ist die Hälfte einer Hüllkurve (Minimum und Maximum); die Abtastwerte selbst "

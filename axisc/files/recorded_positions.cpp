@@ -14,8 +14,7 @@ constexpr Sentence no_axis_column{
     "{file} has no column for an axis of the channel ({axes}); it has {known}; name the command position "
     "before the filters with --in AXIS=COLUMN, once for each recorded axis",
     "{file} hat keine Spalte für eine Achse des Kanals ({axes}); vorhanden sind {known}; die Sollposition "
-    "vor "
-    "den Filtern mit --in ACHSE=SPALTE nennen, einmal je aufgezeichnete Achse"};
+    "vor den Filtern mit --in ACHSE=SPALTE nennen, einmal je aufgezeichnete Achse"};
 constexpr Sentence foreign_axis{"--in {axis}={column}: the channel has the axes {axes}",
                                 "--in {axis}={column}: der Kanal hat die Achsen {axes}"};
 

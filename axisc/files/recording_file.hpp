@@ -40,11 +40,4 @@ struct RecordingFile {
 /// Both have the same samples, as a channel and its copy have.
 [[nodiscard]] bool are_equal(recordings::Recording const& recording, std::size_t a, std::size_t b);
 
-/// Printable, and not long.
-[[nodiscard]] std::string shown_column(std::string_view name);
-
-/// Refuses a value that is not a number, in a column that is read.
-[[noreturn]] void fail_value(RecordingFile const& file, std::size_t channel);
-[[noreturn]] void fail_clock(RecordingFile const& file, std::size_t channel);
-
 }  // namespace axisc

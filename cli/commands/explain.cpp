@@ -15,8 +15,7 @@ constexpr Sentence argument_subject{
     "what you look for: a code (AX3005), a number (P-AXIS-00140), a parameter or a part of one, a message of "
     "the control (\"error 50663\"), a word of NC programs (G60, #FILTER), or words (\"notch filter\")",
     "was gesucht wird: ein Code (AX3005), eine Nummer (P-AXIS-00140), ein Parameter oder ein Teil davon, "
-    "eine "
-    "Meldung der Steuerung („Fehler 50663“), ein Wort von NC-Programmen (G60, #FILTER) oder Wörter "
+    "eine Meldung der Steuerung („Fehler 50663“), ein Wort von NC-Programmen (G60, #FILTER) oder Wörter "
     "(Kerbfilter)"};
 constexpr Sentence option_all{"every code in one Markdown document", "alle Codes in einem Markdown-Dokument"};
 

@@ -32,4 +32,15 @@ struct DrivePath {
   bool delays_position_alone = false;  ///< P-AXIS-00513: a time delay that is the last filter[i]
 };
 
+/// What delays the position of an axis after its filters, by how it acts. Where each acts is a reading.
+struct PositionDelay {
+  double cycles = 0;  ///< whole cycles
+  double lag = 0;     ///< time constant of a PT1, in cycles: P-AXIS-00361, and the rest of the drive's delay
+
+  friend bool operator==(PositionDelay const&, PositionDelay const&) = default;
+};
+
+/// Without the lag, which arises in the position controller.
+[[nodiscard]] PositionDelay position_delay(DrivePath const& path);
+
 }  // namespace axisc::machine

@@ -78,14 +78,6 @@ struct DriveScaling {
   double multi_gain_n = 1;      ///< P-AXIS-00128
 };
 
-/// What delays the position of an axis after its filters. Where each acts is a reading.
-struct PositionDelay {
-  double cycles = 0;  ///< between interpolator and position controller, and in the drive: whole cycles
-  double lag = 0;     ///< time constant of a PT1, in cycles: P-AXIS-00361, and what is left of the drive's
-
-  friend bool operator==(PositionDelay const&, PositionDelay const&) = default;
-};
-
 /// A parameter that a list sets to something that no plan of a path takes into account.
 struct UncomputedParameter {
   std::string number;  ///< "P-AXIS-00561"
@@ -110,14 +102,13 @@ struct AxisConfiguration {
   DriveScaling drive_scaling;
   /// Index into Machine::axes of the gantry's master, for a slave: its additive velocity is the master's.
   std::optional<std::size_t> gantry_master;
-  PositionDelay position_delay = {};     ///< at the start of programs
-  PositionDelay feedforward_delay = {};  ///< the same after G135
-  DrivePath drive_path = {};             ///< at the start of programs
-  double position_window = 0.4;          ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
-  double velocity_limit = 0;             ///< P-AXIS-00212, µm/s or 1e-3 °/s
-  double acceleration_limit = 0;         ///< P-AXIS-00008, mm/s² or °/s²
-  double transition_weight = 0;          ///< P-AXIS-00013, in 0.1 %
-  AxisDynamics dynamics = {};            ///< gear 0
+  DrivePath drive_path = {};        ///< at the start of programs
+  DrivePath fed_forward_path = {};  ///< after G135
+  double position_window = 0.4;     ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
+  double velocity_limit = 0;        ///< P-AXIS-00212, µm/s or 1e-3 °/s
+  double acceleration_limit = 0;    ///< P-AXIS-00008, mm/s² or °/s²
+  double transition_weight = 0;     ///< P-AXIS-00013, in 0.1 %
+  AxisDynamics dynamics = {};       ///< gear 0
   std::vector<UncomputedParameter> uncomputed = {};
   std::vector<SourcedValue> values;  ///< everything its lists set, in the order of the lines
 };

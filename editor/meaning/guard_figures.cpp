@@ -17,8 +17,7 @@ namespace axisc::editor::says {
 constexpr Sentence with_band{
     "mode {mode} at {frequency} Hz, delay {delay} ms, at most 5 % left from {from} to {to} Hz (a reading)",
     "Modus {mode} bei {frequency} Hz, Verzögerung {delay} ms, höchstens 5 % Rest von {from} bis {to} Hz "
-    "(eine "
-    "Lesart)"};
+    "(eine Lesart)"};
 constexpr Sentence without_band{
     "mode {mode} at {frequency} Hz, delay {delay} ms, {residual} % left there (a reading)",
     "Modus {mode} bei {frequency} Hz, Verzögerung {delay} ms, dort {residual} % Rest (eine Lesart)"};

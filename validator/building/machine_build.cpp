@@ -47,9 +47,8 @@ class AxisBuilder {
     result.name = axis_.name;
     result.number = static_cast<std::uint32_t>(number("kopf.achs_nr"));
     result.type = axis_.type;
-    result.position_delay = position_delay(axis_, cycle_time_, DelayState::at_start);
-    result.feedforward_delay = position_delay(axis_, cycle_time_, DelayState::fed_forward);
-    result.drive_path = drive_path(axis_, cycle_time_);
+    result.drive_path = drive_path(axis_, cycle_time_, DelayState::at_start);
+    result.fed_forward_path = drive_path(axis_, cycle_time_, DelayState::fed_forward);
     result.position_window = number("kenngr.filter_position_window");
     result.velocity_limit = number("getriebe[].dynamik.vb_max");
     result.acceleration_limit = number("getriebe[].dynamik.a_max");

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 namespace axisc::validator {
@@ -67,17 +66,6 @@ class Budget {
   double after_filters() {
     add_after_filters();
     return result_.position;
-  }
-
-  machine::PositionDelay position_delay() {
-    add_after_filters();
-    machine::PositionDelay delay;
-    for (DelayItem const& item : result_.items) {
-      double const whole = item.kind == DelayKind::balancing ? 0 : std::floor(item.position);
-      delay.cycles += whole;
-      delay.lag += item.position - whole;
-    }
-    return delay;
   }
 
   machine::DrivePath drive_path() {
@@ -220,13 +208,8 @@ double delay_after_filters(LoadedAxis const& axis, design::CycleTime cycle_time)
   return Budget(axis, cycle_time, DelayState::at_start).after_filters();
 }
 
-machine::PositionDelay position_delay(LoadedAxis const& axis, design::CycleTime cycle_time,
-                                      DelayState state) {
-  return Budget(axis, cycle_time, state).position_delay();
-}
-
-machine::DrivePath drive_path(LoadedAxis const& axis, design::CycleTime cycle_time) {
-  return Budget(axis, cycle_time, DelayState::at_start).drive_path();
+machine::DrivePath drive_path(LoadedAxis const& axis, design::CycleTime cycle_time, DelayState state) {
+  return Budget(axis, cycle_time, state).drive_path();
 }
 
 double deviation_of_mismatch(double feed, double mismatch, design::CycleTime cycle_time) {

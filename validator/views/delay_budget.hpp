@@ -57,12 +57,9 @@ struct DelayBudget {
 /// At the start of programs: what delays the position after the filters on its way to the drive, in cycles.
 [[nodiscard]] double delay_after_filters(LoadedAxis const& axis, design::CycleTime cycle_time);
 
-/// The same by where it acts.
-[[nodiscard]] machine::PositionDelay position_delay(LoadedAxis const& axis, design::CycleTime cycle_time,
-                                                    DelayState state);
-
-/// What delays position and velocity after the filters, at the start of programs.
-[[nodiscard]] machine::DrivePath drive_path(LoadedAxis const& axis, design::CycleTime cycle_time);
+/// What delays position and velocity after the filters.
+[[nodiscard]] machine::DrivePath drive_path(LoadedAxis const& axis, design::CycleTime cycle_time,
+                                            DelayState state);
 
 /// The largest deviation of a straight line or a circle between two axes, in µm: F ΔP/2 at 45°. `feed` in
 /// µm/s, `mismatch` in cycles.

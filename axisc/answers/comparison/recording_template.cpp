@@ -26,8 +26,7 @@ constexpr Sentence in_no_channel{
     "Maschinendatei mit \"groups\", eine Hochlaufliste oder ein Projekt angeben"};
 constexpr Sentence use_template{
     "add the .tcscopex to a Measurement project in TwinCAT, record, and export with TC3ScopeExportTool, or "
-    "save "
-    "the .svdx",
+    "save the .svdx",
     "die .tcscopex in TwinCAT einem Measurement-Projekt hinzufügen, aufzeichnen und mit TC3ScopeExportTool "
     "exportieren oder die .svdx speichern"};
 constexpr Sentence add_torque{

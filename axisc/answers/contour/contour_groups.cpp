@@ -71,7 +71,7 @@ GroupContour predict_contour(ContourGroup const& group, ContourRequest const& wa
                      .limits = {}};
   for (auto const axis : chains.group().axes) {
     found.axes.push_back(group.machine.axes[axis].name);
-    found.position_delays.push_back(group.machine.axes[axis].position_delay);
+    found.position_delays.push_back(machine::position_delay(group.machine.axes[axis].drive_path));
   }
   for (double const feed : wanted.feeds) {
     double const velocity = path_velocity(feed, cycle_time);

@@ -57,8 +57,7 @@ constexpr Sentence apart{
     "unter 45° oder einem Kreis"};
 constexpr Sentence of_drive{
     "The drives' own delays are in no list; where the machine file does not give them (`drive_delay_us`), "
-    "they "
-    "are not in these sums.",
+    "they are not in these sums.",
     "Die eigenen Verzögerungen der Antriebe stehen in keiner Liste; wo die Maschinendatei sie nicht angibt "
     "(`drive_delay_us`), sind sie nicht enthalten."};
 

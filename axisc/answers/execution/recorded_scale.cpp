@@ -2,6 +2,7 @@
 
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
+#include "axisc/files/recording_problems.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
 
@@ -12,24 +13,19 @@ namespace axisc::says {
 
 constexpr Sentence raw_or_scaled{
     "{file}: the header scales column \"{column}\" (factor {factor}, offset {offset}), but does not say "
-    "whether its numbers are scaled; "
-    "say --scaled or --raw",
+    "whether its numbers are scaled; say --scaled or --raw",
     "{file}: der Kopf skaliert die Spalte \"{column}\" (Faktor {factor}, Offset {offset}), sagt aber nicht, "
-    "ob ihre Zahlen skaliert "
-    "sind; --scaled oder --raw angeben"};
+    "ob ihre Zahlen skaliert sind; --scaled oder --raw angeben"};
 constexpr Sentence neither_fits{
     "{file}: no {type} gives the numbers of column \"{column}\", raw or scaled (factor {factor}, offset "
     "{offset}); export again",
     "{file}: kein {type} ergibt die Zahlen der Spalte \"{column}\", roh oder skaliert (Faktor {factor}, "
-    "Offset {offset}); neu "
-    "exportieren"};
+    "Offset {offset}); neu exportieren"};
 constexpr Sentence unknown_unit{
     "{file}: the unit of column \"{column}\" ({unit}) is not that of a position; say what its numbers are "
-    "with "
-    "--unit",
+    "with --unit",
     "{file}: die Einheit der Spalte \"{column}\" ({unit}) ist nicht die einer Position; mit --unit angeben, "
-    "was "
-    "ihre Zahlen sind"};
+    "was ihre Zahlen sind"};
 
 }  // namespace axisc::says
 

@@ -15,8 +15,7 @@ namespace axisc::says {
 
 constexpr Sentence nothing_found{
     "nothing is found for \"{word}\": `axisc explain` knows codes, messages of the control, parameters, "
-    "words "
-    "of NC programs and what they mean; `axisc explain --all` lists the codes",
+    "words of NC programs and what they mean; `axisc explain --all` lists the codes",
     "zu „{word}“ ist nichts zu finden: `axisc explain` kennt Codes, Meldungen der Steuerung, Parameter, "
     "Wörter von NC-Programmen und ihre Bedeutung; `axisc explain --all` nennt die Codes"};
 constexpr Sentence nothing_found_meant{"nothing is found for \"{word}\"; did you mean {meant}?",

@@ -3,6 +3,7 @@
 #include "analysis/recordings/decimal_number.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/recording_file.hpp"
+#include "axisc/files/recording_problems.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/byte_source.hpp"
+#include "axisc/files/recording_problems.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <array>
@@ -27,8 +28,7 @@ constexpr Sentence other_sample_time{
     "{file}: column {in} has a sample every {first} ms, column {out} every {second} ms; record both with one "
     "sample time",
     "{file}: Spalte {in} hat alle {first} ms einen Abtastwert, Spalte {out} alle {second} ms; beide mit "
-    "einer "
-    "Abtastzeit aufzeichnen"};
+    "einer Abtastzeit aufzeichnen"};
 constexpr Sentence uneven_frequency{"{file}:{line}: frequencies do not rise",
                                     "{file}:{line}: die Frequenzen steigen nicht"};
 constexpr Sentence not_a_number{"{file}:{line}: not a row of numbers",

@@ -16,8 +16,7 @@ constexpr Sentence of_axis{"the last impulse of the Vibration Guard of {axis} co
 constexpr Sentence limit_unknown{
     "how long a guard may be is not documented; FIR filters end at {limit} cycles (a reading)",
     "wie lang ein Vibration Guard sein darf, ist nicht dokumentiert; FIR-Filter enden bei {limit} Zyklen "
-    "(eine "
-    "Lesart)"};
+    "(eine Lesart)"};
 constexpr Sentence too_long{"axisc compiles guards of up to {limit} cycles",
                             "axisc übersetzt Vibration Guards bis {limit} Zyklen"};
 constexpr Sentence lowest{"in mode {mode} {frequency} Hz or more come within {limit} cycles",
