@@ -381,8 +381,8 @@ static axisrt_c_status check_groups(const image_view* v) {
     DEMAND(banks >= 1 && u32(group + group_first_bank) == next_bank && holds(v, BANKS, next_bank, banks),
            AXISRT_C_OUT_OF_BOUNDS);
     DEMAND(u32(group + group_off_fade_cycles) <= 4096, AXISRT_C_OUT_OF_BOUNDS);
-    for (m = 0; m < members;
-         ++m) { /* Member and slot name each other, so that no two groups reach one slot. */
+    /* Member and slot name each other, so that no two groups reach one slot. */
+    for (m = 0; m < members; ++m) {
       uint32_t const slot = slot_of_member(v, next_member + m);
       DEMAND(slot == NONE || (u32(record(v, SLOTS, slot) + slot_group) == i &&
                               u32(record(v, SLOTS, slot) + slot_member) == next_member + m),
@@ -787,8 +787,7 @@ static void reset_line(line* l, double position) {
   l->reset_done = 1;
 }
 
-/* Adds a constant to every signal that a chain holds, without loss where it is representable (D. E. Knuth).
- */
+/* Adds a constant to every signal that a chain holds, without loss where it is representable (Knuth). */
 static void rebase_line(line* l, double offset) {
   signal_t shift;
   uint32_t i, k;
@@ -831,8 +830,7 @@ static double ulp(double x) {
   return double_of(magnitude_bits(x) + 1) - magnitude(x);
 }
 
-/* Runs an operation that is in the steady state for 0 on the samples of its filter or kernel; leaves it so.
- */
+/* Runs an operation that is steady at 0 on the samples of its filter or kernel; leaves it steady. */
 static axisrt_c_status self_test(const image_view* v, uint32_t first, uint32_t count, operation* o) {
   signal_t x = {0, 0, 0}, y;
   double largest = 0, before = 0;
