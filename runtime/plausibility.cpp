@@ -43,19 +43,6 @@ double peak_gain(ImageView const& view, axisrt const& runtime, KernelGains const
   return at_start / listed * largest;
 }
 
-/// The largest proved gain of the chain with any kernel that its slot can execute, whose records begin at
-/// `next`; it is moved to those of the next axis. 0 where the axis has none.
-double proved_gain(ImageView const& view, uint32_t axis, uint32_t& next) {
-  double largest = 0;
-  for (; next < view.bounds.count && view.bounds[next][field::bound::axis] == axis; ++next) {
-    Record<record::bound> const record = view.bounds[next];
-    if (record[field::bound::port] == axim_port_velocity) break;
-    double const gain = record[field::bound::gain_high];
-    if (record[field::bound::port] == axim_port_setpoint && gain > largest) largest = gain;
-  }
-  return largest;
-}
-
 }  // namespace
 
 /// (P + 1/4) v: with setpoints within v no output moves farther, a quarter of v is left to fades. On the
@@ -65,7 +52,7 @@ void limit_increments(ImageView const& view, axisrt const& runtime) {
   uint32_t next = 0;
   for (uint32_t axis = 0; axis < runtime.axis_count; ++axis) {
     double const v = runtime.axes[axis].velocity_limit;
-    double const proved = proved_gain(view, axis, next);
+    double const proved = largest_bound(view, axis, field::bound::gain_high, next);
     double const gain = proved > 0 ? proved : peak_gain(view, runtime, gains, axis);
     if (!(v > 0)) continue;
     Lane(runtime.setpoint, runtime.setpoint.lines[axis]).part(GroupParts::largest_increment) =

@@ -32,6 +32,20 @@ struct Memory {
 [[nodiscard]] bool same_constants(ImageView const& view, PortKind port, Group const& a, Group const& b,
                                   uint32_t step);
 
+/// The largest `of` among the bounds that the image states for the setpoint chain of an axis, with whichever
+/// kernel its slot can execute; 0 where there are none. They begin at `next`, which moves to the next axis.
+template <size_t Offset>
+[[nodiscard]] double largest_bound(ImageView const& view, uint32_t axis,
+                                   Field<record::bound, double, Offset> of, uint32_t& next) {
+  double largest = 0;
+  for (; next < view.bounds.count && view.bounds[next][field::bound::axis] == axis; ++next) {
+    Record<record::bound> const record = view.bounds[next];
+    if (record[field::bound::port] == axim_port_velocity) break;
+    if (record[field::bound::port] == axim_port_setpoint && record[of] > largest) largest = record[of];
+  }
+  return largest;
+}
+
 /// Kernels and their tails; one kernel without tails after them.
 void build_kernels(ImageView const& view, Layout const& layout, Memory memory);
 /// Lines in their lanes, in the steady state for 0 and never reset. Expects kernels.

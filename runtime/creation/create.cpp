@@ -22,23 +22,11 @@ uint64_t digest_of(uint8_t const* text, uint32_t size) {
   return digest;
 }
 
-/// The largest distance that the image proves for the setpoint chain of an axis, whose records begin at
-/// `next`; it is moved to those of the next axis. Below 0 where the image has no bounds.
-double proved_distance(ImageView const& view, uint32_t axis, uint32_t& next) {
-  double largest = view.bounds.first != nullptr ? 0 : -1;
-  for (; next < view.bounds.count && view.bounds[next][field::bound::axis] == axis; ++next) {
-    Record<record::bound> const record = view.bounds[next];
-    if (record[field::bound::port] == axim_port_velocity) break;
-    double const distance = record[field::bound::distance_high];
-    if (record[field::bound::port] == axim_port_setpoint && distance > largest) largest = distance;
-  }
-  return largest;
-}
-
 /// Limits per second, in um or 1e-3 degree and in mm or degree, become limits per cycle in units of 0.1 um or
 /// 1e-4 degree.
 void build_axes(ImageView const& view, Axis* axes) {
   double const T = view.header()[field::header::cycle_time_ns] * 1e-9;
+  bool const has_bounds = view.bounds.first != nullptr;
   uint32_t next_bound = 0;
   for (uint32_t i = 0; i < view.axes.count; ++i) {
     Record<record::axis> const record = view.axes[i];
@@ -52,7 +40,7 @@ void build_axes(ImageView const& view, Axis* axes) {
                .position_window = record[field::axis::position_window],
                .velocity_limit = record[field::axis::velocity_limit] * 10 * T,
                .acceleration_limit = record[field::axis::acceleration_limit] * 1e4 * T * T,
-               .distance = proved_distance(view, i, next_bound)};
+               .distance = has_bounds ? largest_bound(view, i, field::bound::distance_high, next_bound) : -1};
   }
 }
 
