@@ -28,16 +28,28 @@ std::string named_folder(Inputs const& inputs, std::string const& path) {
 
 }  // namespace
 
-void judge_in_machines(Inputs& inputs, configuration::Files& files, OptionsOf const& options) {
+std::vector<Belonging> belonging_of(Inputs const& inputs, configuration::Files& files,
+                                    OptionsOf const& options) {
   OpenDocuments const no_documents;
   Buffers buffers(no_documents, files);
   MachineSearch search(options);
-  std::unordered_set<std::string> const whole(inputs.paths.begin(), inputs.paths.end());
-  std::vector<std::string> judged;
+  std::vector<Belonging> found;
+  found.reserve(inputs.paths.size());
   for (auto const& path : inputs.paths) {
     auto const from = inputs.found.contains(path) ? std::optional(named_folder(inputs, path)) : std::nullopt;
-    auto belonging =
-        path == "-" ? Belonging{.machine = path, .name = path} : search.machine_of(buffers, path, from);
+    found.push_back(path == "-" ? Belonging{.machine = path, .name = path}
+                                : search.machine_of(buffers, path, from));
+  }
+  return found;
+}
+
+void judge_in_machines(Inputs& inputs, configuration::Files& files, OptionsOf const& options) {
+  std::unordered_set<std::string> const whole(inputs.paths.begin(), inputs.paths.end());
+  std::vector<std::string> judged;
+  auto belongings = belonging_of(inputs, files, options);
+  for (std::size_t i = 0; i < belongings.size(); ++i) {
+    auto const& path = inputs.paths[i];
+    auto& belonging = belongings[i];
     if (belonging.machine == path) {
       judged.push_back(path);
       continue;

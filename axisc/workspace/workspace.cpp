@@ -38,6 +38,10 @@ void Workspace::judge_in_machines(Inputs& inputs) {
   shown_ = inputs.shown;
 }
 
+std::vector<Belonging> Workspace::belonging_of(Inputs const& inputs) {
+  return axisc::belonging_of(inputs, files_, [this](std::string const& path) { return options_of(path); });
+}
+
 std::vector<std::string> const* Workspace::shown_of(std::string const& machine) const {
   auto const found = shown_.find(machine);
   return found == shown_.end() ? nullptr : &found->second;

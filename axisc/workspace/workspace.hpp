@@ -61,6 +61,8 @@ class Workspace {
   /// Replaces lists and programs by the machines that read them, of which only findings about these files are
   /// shown then: see judged_inputs.hpp.
   void judge_in_machines(Inputs& inputs);
+  /// The machine of each input: see judged_inputs.hpp.
+  [[nodiscard]] std::vector<Belonging> belonging_of(Inputs const& inputs);
   /// The files that are shown of a machine, by the names that it reads them by; null: all.
   [[nodiscard]] std::vector<std::string> const* shown_of(std::string const& machine) const;
 

@@ -15,10 +15,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence argument_plotted{
-    "a list, a machine file, a start-up list, a project, a folder with one machine, or an image",
-    "eine Liste, eine Maschinendatei, eine Hochlaufliste, ein Projekt, ein Ordner mit einer Maschine oder "
-    "ein Abbild"};
 constexpr Sentence option_kind{"what to draw (default: response)",
                                "was zu zeichnen ist (Standardwert: response)"};
 constexpr Sentence option_picture{
@@ -78,7 +74,7 @@ struct PlotOptions {
 
 void declare(CommandLine& command_line, PlotOptions& options) {
   auto& question = options.question;
-  command_line.argument("INPUT", options.input, says::argument_plotted);
+  command_line.argument("INPUT", options.input, says::argument_machine_or_image);
   command_line.value("-o,--output", "FILE", options.target.path, says::option_picture);
   command_line.choice("--kind", picture_kinds, question.kind, says::option_kind);
   command_line.flag("--table", options.target.table, says::option_table);

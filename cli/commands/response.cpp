@@ -1,9 +1,13 @@
 #include "axisc/answers/execution/response_answer.hpp"
 #include "axisc/asked/frequencies.hpp"
+#include "axisc/checking/compiled_input.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/sentences.hpp"
 #include "cli/output/answer_output.hpp"
+#include "cli/output/printed_errors.hpp"
 
 namespace axisc::cli::says {
 
@@ -21,12 +25,15 @@ constexpr Sentence option_frequencies{
 namespace axisc::cli {
 
 ExitStatus response(Invocation const& invocation) {
-  std::optional<std::string> path, frequencies, level;
+  MachineRequest request;
+  std::optional<std::string> path, cycle_time, frequencies, level;
   std::vector<std::string> commands;
   ResponseQuestion question;
   auto format = presentation::Format::csv;
   CommandLine command_line("response", invocation.language);
-  command_line.argument("IMAGE.axim", path, says::argument_image);
+  command_line.argument("INPUT", path, says::argument_machine_or_image);
+  command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);
+  declare_alone(command_line, request.alone);
   command_line.value("--axis", "NAME", question.axis, says::option_axis);
   command_line.choice(
       "--port", {{"setpoint", Port::setpoint}, {"interface", Port::interface}, {"velocity", Port::velocity}},
@@ -36,9 +43,15 @@ ExitStatus response(Invocation const& invocation) {
   command_line.values("--at", "CYCLE:COMMAND", commands, says::option_at);
   declare_format(command_line, format);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(path.has_value(), "IMAGE.axim");
-  auto const file = load_image(*path);
-  question.image = *path;
+  command_line.require(path.has_value(), "INPUT");
+  request.input = question.image = *path;
+  Workspace workspace(overrides_with(cycle_time));
+  auto const errors = printed_errors(invocation, use_color(command_line.color(), system::Stream::error));
+  auto const input = *path == "-" ? std::optional(InputImage{.image = load_image("-"), .machine = {}})
+                                  : compiled_input(workspace, request, errors);
+  if (!input) return ExitStatus::findings;
+  auto const& file = input->image;
+  if (!question.axis) question.axis = input->axis();
   question.level = level_of(level);
   if (frequencies) question.frequencies = parse_frequencies(*frequencies, file.contents.cycle_time);
   question.commands = read_timed_commands(commands, file, *path, invocation.language);

@@ -9,6 +9,10 @@ constinit Sentence const argument_input{
     "eine Achsliste oder Maschinendatei (*.json), oder - für die Standardeingabe"};
 constinit Sentence const argument_image{"a coefficient image, or - for standard input",
                                         "ein Koeffizientenabbild, oder - für die Standardeingabe"};
+constinit Sentence const argument_machine_or_image{
+    "a list, a machine file, a start-up list, a project, a folder with one machine, or an image",
+    "eine Liste, eine Maschinendatei, eine Hochlaufliste, ein Projekt, ein Ordner mit einer Maschine oder "
+    "ein Abbild"};
 constinit Sentence const option_at{
     "execute a command before that cycle; only for images with kernel banks",
     "vor diesem Zyklus einen Befehl ausführen; nur für Abbilder mit Kernbänken"};

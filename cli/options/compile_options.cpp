@@ -45,6 +45,9 @@ constexpr Sentence argument_compile_inputs{
     "standard input",
     "Achslisten, Maschinendateien (*.json), Ordner mit solchen, @DATEI mit einem Namen je Zeile, oder - für "
     "die Standardeingabe"};
+constexpr Sentence option_compile_alone{
+    "compile a list by itself although a machine names it, without that machine's default list",
+    "eine Liste für sich kompilieren, obwohl eine Maschine sie nennt, ohne deren Standardliste"};
 
 }  // namespace axisc::cli::says
 
@@ -59,6 +62,7 @@ void declare(CommandLine& command_line, CompileOptions& options) {
   command_line.flag("--strip", options.strip, says::option_strip);
   command_line.flag("--no-bounds", options.no_bounds, says::option_no_bounds);
   command_line.value("--image-version", "N", options.image_version, says::option_image_version);
+  command_line.flag("--alone", options.alone, says::option_compile_alone);
   declare_checking(command_line, options.checking);
 }
 

@@ -18,6 +18,7 @@ struct CompileOptions {
   std::optional<std::string> input_folder;
   std::optional<std::string> depfile;
   std::optional<std::string> image_version;
+  bool alone = false;
   bool strip = false;
   bool no_bounds = false;
 

@@ -5,11 +5,13 @@
 #include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace axisc::test;
 
@@ -21,7 +23,9 @@ namespace fs = std::filesystem;
 std::string shell(std::string const& command, std::string const& folder) {
   std::string const program_folder = fs::path(AXISC_PROGRAM).parent_path().string();
   std::string const line = "cd '" + folder + "' && export PATH='" + program_folder +
-                           "':\"$PATH\" LANG=C LC_ALL= LC_MESSAGES= && { " + command + "\n} 2>&1";
+                           "':\"$PATH\" LANG=C LC_ALL= LC_MESSAGES= samples='" AXISC_SOURCE_DIR
+                           "/samples' && { " +
+                           command + "\n} 2>&1";
   std::string output;
   FILE* const pipe = ::popen(line.c_str(), "r");
   REQUIRE(pipe != nullptr);
@@ -51,6 +55,70 @@ std::string executed(std::string const& document, std::string const& folder) {
   }
   return result;
 }
+
+/// The blocks of a document that a reader pastes into a shell, of those that run axisc.
+std::vector<std::string> pasted(std::string const& document) {
+  std::istringstream lines(document);
+  std::vector<std::string> blocks;
+  std::string block;
+  bool in_block = false;
+  bool runs_axisc = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("```", 0) == 0) {
+      if (in_block && runs_axisc) blocks.push_back(block);
+      in_block = line == "```sh";
+      runs_axisc = false;
+      block.clear();
+    } else if (in_block) {
+      block += line + "\n";
+      runs_axisc = runs_axisc || line.rfind("axisc ", 0) == 0;
+    }
+  }
+  return blocks;
+}
+
+/// A document, and what makes the folder in which its reader works.
+struct Page {
+  char const* document;
+  char const* folder;
+};
+
+constexpr Page pages[] = {
+    {"README.md",
+     "cp -r $samples/controller/. $samples/controller-project/project/hochlauf.tsproj . && "
+     "mv hochlauf.tsproj Project.tsproj && cp $samples/controller-xml/listen/achsmds1.xml update.xml"},
+    {"docs/compare.md",
+     "cp $samples/mill/* . && axisc compile machine.json -o m.axim -q 2>findings && "
+     "axisc run m.axim --signal ramp:1000 --cycles 9000 | "
+     "awk -F, '{print (NR == 1 ? \"setpoint\" : NR - 1) \",\" $1}' >scope.csv"},
+    {"docs/contour.md", "cp $samples/mill/* ."},
+    {"docs/controller-folder.md",
+     "cp -r $samples/controller/. . && mkdir old && cp listen/sda_mds1.lis old/sda.txt"},
+    {"docs/export.md", "cp -r $samples ."},
+    {"docs/findings.md", "cp -r $samples ."},
+    {"docs/gallery.md", "cp -r $samples . && cp -r samples/controller repaired"},
+    {"docs/nc-programs.md", "cp -r $samples ."},
+    {"docs/pipelines.md",
+     "cp -r $samples/mill plant && cp -r plant lists && ls plant/*.lis >changed.txt && "
+     "echo plant/machine.json >machines.txt && git init -q -b main . && git add . && "
+     "git -c user.name=a -c user.email=a commit -qm lists && git update-ref refs/remotes/origin/main HEAD"},
+    {"docs/plots.md",
+     "cp -r $samples/controller/. $samples/mill/* . && mkdir old && cp -r listen prog old && "
+     "axisc compile machine.json -o mill.axim -q 2>findings"},
+    {"docs/record.md",
+     "cp $samples/resonance/* . && cp torque-velocity.csv x.csv && cp torque-velocity.csv record.svdx"},
+    {"docs/report.md", "cp -r $samples/controller/. $samples/mill/* . && mkdir old && cp -r listen prog old"},
+    {"docs/runtime.md",
+     "cp $samples/mill/* . && axisc compile machine.json -o mill.axim -q 2>findings && "
+     "axisc run mill.axim --record crash.axrd >outputs"},
+    {"docs/schema-files.md", "cp $samples/mill/* . && sed -n '/^{/,/^}/p' $document >build-3200.json"},
+    {"docs/suggest.md",
+     "cp $samples/resonance/* . && sed '1s/Force X \\[N\\]/Torque/; 1s/Velocity X \\[mm.s\\]/Velocity/' "
+     "torque-velocity.csv "
+     ">scope.csv"},
+    {"docs/twincat-project.md",
+     "cp -r $samples/controller-project/. . && cp project/hochlauf.tsproj Project.tsproj"},
+};
 
 }  // namespace
 
@@ -104,4 +172,35 @@ TEST_CASE("the page about looking up, getting and setting values shows what its 
   TemporaryFolder const folder;
   fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/mill", folder / "try");
   check_golden("docs/values.md", executed(read_source_file("docs/values.md"), folder / "try"));
+}
+
+TEST_CASE("every document with lines for the shell says where they run") {
+  auto const is_known = [](std::string const& document) {
+    return std::any_of(std::begin(pages), std::end(pages),
+                       [&](Page const& page) { return document == page.document; });
+  };
+  for (auto const& entry : fs::directory_iterator(AXISC_SOURCE_DIR "/docs")) {
+    if (entry.path().extension() != ".md") continue;
+    std::string const document = "docs/" + entry.path().filename().string();
+    CAPTURE(document);
+    CHECK((pasted(read_source_file(document)).empty() || is_known(document)));
+  }
+}
+
+TEST_CASE("every line for the shell in the documentation runs") {
+  // Findings are no failure; a command that does not exist, a missing file or an unknown option is.
+  std::string const watched =
+      "said=$PWD/../said; axisc() { status=0; command axisc \"$@\" 2>$said || status=$?; [ $status -gt 1 ] "
+      "|| return 0; "
+      "{ echo \"axisc $*: exit status $status\" && cat $said; } >&3; return $status; }; "
+      "exec 3>&1 >$said.all 2>&1; trap '[ $? = 0 ] || { echo failed && cat $said.all; } >&3' EXIT; set -e\n";
+  for (auto const& [document, prepare] : pages) {
+    CAPTURE(document);
+    TemporaryFolder const folder;
+    fs::create_directory(folder / "try");
+    std::string const source = "document='" AXISC_SOURCE_DIR "/" + std::string(document) + "'; ";
+    REQUIRE(shell(source + prepare + " || echo not prepared", folder / "try") == "");
+    for (auto const& block : pasted(read_source_file(document)))
+      CHECK(shell(watched + block, folder / "try") == "");
+  }
 }

@@ -18,14 +18,46 @@ std::string const list = data + "machine/x.lis";
 
 TEST_CASE("a machine and a single list compile") {
   TemporaryFolder const folder;
+  auto const alone = folder.write("x.lis", read_source_file("tests/cli/data/machine/x.lis"));
   auto const outcome = run_axisc({"compile", machine, "-o", folder / "m.axim"});
   CHECK(outcome.status == 0);
   CHECK(outcome.out.empty());
   CHECK_THAT(outcome.err, Catch::Matchers::Contains("m.axim: written, axes: 2, filters: 3, "));
   CHECK(folder.read("m.axim").substr(0, 4) == "AXIM");
-  auto const single = run_axisc({"compile", list, "-o", folder / "x.axim", "--cycle-time", "1ms", "--quiet"});
+  auto const single =
+      run_axisc({"compile", alone, "-o", folder / "x.axim", "--cycle-time", "1ms", "--quiet"});
   CHECK(single.status == 0);
   CHECK(single.err.empty());
+}
+
+TEST_CASE("a list that a machine names is not compiled without what the machine adds") {
+  TemporaryFolder const folder;
+  std::string const notch =
+      "filter[0].enable 1\nfilter[0].type BANDSTOP\nfilter[0].prototype BUTTERWORTH\nfilter[0].order 1\n"
+      "filter[0].fg_f0 40\nfilter[0].guete 2\n";
+  folder.write("default.lis", notch);
+  folder.write("x.lis", "kopf.achs_nr 1\nkopf.log_achs_name X\nkenngr.achs_typ 1\n");
+  folder.write(
+      "machine.json",
+      R"({"cycle_time_us": 1000, "default_list": "default.lis", "axes": [{"name": "X", "list": "x.lis"}]})");
+  auto const there = in_folder(folder / ".");
+  auto const refused = run_axisc({"compile", "x.lis", "-o", "x.axim", "--cycle-time", "1ms"}, there);
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::Matchers::Contains("x.lis is part of machine.json, whose default list"));
+  CHECK(folder.entries() == 3);
+  auto const batch = run_axisc({"compile", "x.lis", "machine.json", "--output-folder", "images"}, there);
+  CHECK(batch.status == 0);
+  CHECK_THAT(batch.err, Catch::Matchers::Contains("images: 1 written, 0 unchanged, 0 not written"));
+  CHECK(run_axisc({"compile", "x.lis", "--output-folder", "images"}, there).status == 2);
+  CHECK(run_axisc({"compile", "x.lis", "-o", "x.axim", "--cycle-time", "1ms", "--alone"}, there).status == 0);
+  // The notch takes 40 Hz away, and the list by itself knows nothing of it.
+  auto const magnitude = [&](char const* input) {
+    auto const rows = run_axisc({"response", input, "--frequencies", "40"}, there);
+    return rows.status == 0 ? rows.out : rows.err;
+  };
+  CHECK(magnitude("x.lis") == magnitude("images/machine.axim"));
+  CHECK_THAT(magnitude("x.lis"), !Catch::Matchers::Contains("X,40,1,"));
+  CHECK_THAT(magnitude("x.axim"), Catch::Matchers::Contains("X,40,1,"));
 }
 
 TEST_CASE("equal inputs give equal bytes, wherever they lie") {
@@ -72,7 +104,8 @@ TEST_CASE("an image that a controller would refuse is not written") {
 
 TEST_CASE("a list without cycle time is refused") {
   TemporaryFolder const folder;
-  auto const outcome = run_axisc({"compile", list, "-o", folder / "x.axim"});
+  auto const alone = folder.write("alone.lis", "kopf.achs_nr 1\nEnde\n");
+  auto const outcome = run_axisc({"compile", alone, "-o", folder / "x.axim"});
   CHECK(outcome.status == 2);
   CHECK(lines_of(outcome.err) == 1);
   CHECK_THAT(outcome.err, Catch::Matchers::Contains("--cycle-time 1ms"));
