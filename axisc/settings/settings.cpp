@@ -308,7 +308,7 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   options.motion = settings.motion;
   options.catalogue = settings.catalogue;
   options.disabled.insert(options.disabled.end(), settings.disabled.begin(), settings.disabled.end());
-  options.severities = settings.severities;
+  options.severities.insert(settings.severities.begin(), settings.severities.end());
   auto const names = std::make_shared<RelativeNames>(settings.folder);
   for (auto const& rule : settings.paths) {
     bool const tells_kind = !options.kind && rule.kind && !ascii::has_extension(input, ".json");

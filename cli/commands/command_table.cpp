@@ -42,6 +42,8 @@ constexpr Sentence machine_meaning{
     "die Maschine zeigen, die eine Hochlaufliste oder Maschinendatei beschreibt"};
 constexpr Sentence contour_meaning{"predict axis errors and contour deviations",
                                    "Achsfehler und Bahnabweichungen vorhersagen"};
+constexpr Sentence circle_meaning{"predict the circular test, and evaluate a recorded one",
+                                  "den Kreisformtest vorhersagen und einen aufgezeichneten auswerten"};
 constexpr Sentence simulate_meaning{
     "follow an NC program through the filters, or an axis through its control loop",
     "ein NC-Programm durch die Filter verfolgen oder eine Achse durch ihren Regelkreis"};
@@ -78,6 +80,7 @@ constexpr std::array rows = {CommandRow{"lint", says::lint_meaning, lint},
                              CommandRow{"plot", says::plot_meaning, plot},
                              CommandRow{"report", says::report_meaning, report},
                              CommandRow{"contour", says::contour_meaning, contour},
+                             CommandRow{"circle", says::circle_meaning, circle},
                              CommandRow{"simulate", says::simulate_meaning, simulate},
                              CommandRow{"suggest", says::suggest_meaning, suggest},
                              CommandRow{"compare", says::compare_meaning, compare},

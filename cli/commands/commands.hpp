@@ -26,6 +26,7 @@ namespace axisc::cli {
 [[nodiscard]] ExitStatus keygen(Invocation const& invocation);
 [[nodiscard]] ExitStatus sign(Invocation const& invocation);
 [[nodiscard]] ExitStatus contour(Invocation const& invocation);
+[[nodiscard]] ExitStatus circle(Invocation const& invocation);
 [[nodiscard]] ExitStatus suggest(Invocation const& invocation);
 [[nodiscard]] ExitStatus simulate(Invocation const& invocation);
 [[nodiscard]] ExitStatus schema(Invocation const& invocation);

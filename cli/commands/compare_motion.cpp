@@ -11,9 +11,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence column_of_axis{
-    "--in {text}: with --program it names the column of an axis, --in X=COLUMN, once for each",
-    "--in {text}: mit --program nennt es die Spalte einer Achse, --in X=SPALTE, einmal je Achse"};
 constexpr Sentence no_motion_settings{
     "no settings: the recording tells no reading; `axisc compare` without --emit says what fits",
     "keine Einstellungen: Die Aufzeichnung ergibt keine Lesart; `axisc compare` ohne --emit nennt, was "
@@ -24,18 +21,6 @@ constexpr Sentence no_motion_settings{
 namespace axisc::cli {
 
 namespace {
-
-std::vector<AxisColumn> axis_columns(std::vector<std::string> const& texts) {
-  std::vector<AxisColumn> columns;
-  for (auto const& text : texts) {
-    auto const sign = text.find('=');
-    if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
-      throw Failure({says::column_of_axis, {{"text", text}}});
-    }
-    columns.push_back({.axis = text.substr(0, sign), .column = text.substr(sign + 1)});
-  }
-  return columns;
-}
 
 struct ChosenGroup {
   CheckedMachine checked;
@@ -69,7 +54,7 @@ ExitStatus emit_motion(comparison::MotionComparison const& result, Invocation co
 ExitStatus compare_motion(CompareOptions const& options, Invocation const& invocation,
                           CommandLine const& command_line) {
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto const columns = axis_columns(options.columns);
+  auto const columns = axis_columns("--in", options.columns);
   auto made = chosen(options, invocation, color);
   if (!made) return ExitStatus::findings;
   auto& machine = made->checked.machine;

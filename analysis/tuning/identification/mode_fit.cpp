@@ -1,5 +1,7 @@
 #include "analysis/tuning/identification/mode_fit.hpp"
 
+#include "analysis/motion/least_squares.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,39 +33,6 @@ Range range_around(MeasuredResponse const& measured, std::size_t top, double sha
   return range;
 }
 
-/// Least squares by the normal equations, which can be solved once; no solution where they are singular.
-template <std::size_t N>
-class LeastSquares {
- public:
-  void add(std::array<double, N> const& row, double right) {
-    for (std::size_t i = 0; i < N; ++i) {
-      for (std::size_t k = 0; k < N; ++k) matrix_[i][k] += row[i] * row[k];
-      matrix_[i][N] += row[i] * right;
-    }
-  }
-
-  [[nodiscard]] std::optional<std::array<double, N>> solve() {
-    for (std::size_t column = 0; column < N; ++column) {
-      auto const pivot = std::max_element(
-          matrix_.begin() + static_cast<std::ptrdiff_t>(column), matrix_.end(),
-          [&](auto const& a, auto const& b) { return std::abs(a[column]) < std::abs(b[column]); });
-      if (!(std::abs((*pivot)[column]) > 1e-14)) return std::nullopt;
-      std::swap(*pivot, matrix_[column]);
-      for (std::size_t i = 0; i < N; ++i) {
-        if (i == column) continue;
-        double const factor = matrix_[i][column] / matrix_[column][column];
-        for (std::size_t k = column; k <= N; ++k) matrix_[i][k] -= factor * matrix_[column][k];
-      }
-    }
-    std::array<double, N> solution{};
-    for (std::size_t i = 0; i < N; ++i) solution[i] = matrix_[i][N] / matrix_[i][i];
-    return solution;
-  }
-
- private:
-  std::array<std::array<double, N + 1>, N> matrix_{};
-};
-
 /// The mode with these ω0² and 2 D ω0, in units of the peak's frequency.
 std::optional<Mode> mode_of(double a0, double a1, double frequency) {
   if (!(a0 > 0.25) || !(a0 < 4) || !(a1 > 0)) return std::nullopt;
@@ -74,7 +43,7 @@ std::optional<Mode> mode_of(double a0, double a1, double frequency) {
 }
 
 std::optional<Mode> with_phase(MeasuredResponse const& measured, Range const& range, std::size_t top) {
-  LeastSquares<6> squares;
+  motion::LeastSquares<6> squares;
   auto const height = std::abs(measured.response[top]);
   for (std::size_t i = range.first; i <= range.last; ++i) {
     double const w = measured.frequency[i] / measured.frequency[top];
@@ -88,7 +57,7 @@ std::optional<Mode> with_phase(MeasuredResponse const& measured, Range const& ra
 }
 
 std::optional<Mode> of_magnitudes(MeasuredResponse const& measured, Range const& range, std::size_t top) {
-  LeastSquares<3> squares;
+  motion::LeastSquares<3> squares;
   for (std::size_t i = range.first; i <= range.last; ++i) {
     double const w = measured.frequency[i] / measured.frequency[top];
     double const power = std::norm(measured.response[i]) / std::norm(measured.response[top]);

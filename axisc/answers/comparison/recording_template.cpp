@@ -44,7 +44,8 @@ using recordings::Object;
 std::vector<Object> objects_for(RecordingPurpose purpose) {
   switch (purpose) {
     case RecordingPurpose::compare: return {Object::position_unfiltered, Object::position_filtered};
-    case RecordingPurpose::circle: return {Object::command_position, Object::actual_position};
+    case RecordingPurpose::circle:
+      return {Object::position_unfiltered, Object::command_position, Object::actual_position};
     case RecordingPurpose::identify: break;
   }
   return {Object::command_position, Object::actual_position, Object::velocity};

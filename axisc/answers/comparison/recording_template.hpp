@@ -14,7 +14,7 @@ namespace axisc {
 /// What the recording is for.
 enum class RecordingPurpose : std::uint8_t {
   compare,   ///< the command position before and after the filters
-  circle,    ///< command and actual position
+  circle,    ///< the command position before the filters and of the position controller, the actual position
   identify,  ///< command and actual position, and the velocity for the drive
 };
 

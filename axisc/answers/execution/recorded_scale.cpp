@@ -63,8 +63,12 @@ Scaling decided(RecordingFile const& file, Channel const& channel, ScaledNumbers
   return found;
 }
 
-bool is_position(ChosenColumn const& column) {
-  return column.object && recordings::row_of(column.object->object).unit == recordings::ObjectUnit::position;
+/// In the unit of the object, whose values are whole: a name alone does not say so of others.
+bool is_position(ChosenColumn const& column, recordings::Signal const& signal,
+                 std::vector<std::size_t> const& gaps) {
+  return column.object &&
+         recordings::row_of(column.object->object).unit == recordings::ObjectUnit::position &&
+         (column.by != FoundBy::name || is_whole(signal, gaps));
 }
 
 ColumnScale to_raw(Channel const& channel) {
@@ -86,19 +90,20 @@ ColumnScale column_scale(RecordingFile const& file, ChosenColumn const& column, 
                          std::vector<std::size_t> const& gaps) {
   auto const& channel = file.recording.channels[column.channel];
   auto const scaling = decided(file, channel, units.numbers);
+  bool const is_object = is_position(column, signal, gaps);
   bool const shows = scaling == Scaling::raw && units.numbers == ScaledNumbers::shown;
   ColumnScale scale;
   if (units.unit != RecordedUnit::recognised) {
     if (shows) scale = to_shown(channel);
     scale.thousandths = thousandths_of(units.unit, axis, false);
-  } else if (is_position(column) && scaling != Scaling::shown && !shows) {
+  } else if (is_object && scaling != Scaling::shown && !shows) {
     scale.thousandths = thousandths_per_tenth;
   } else if (recordings::names_unit(channel.unit)) {
     auto const named = recordings::thousandths_in(channel.unit);
     if (!named) throw refusal(says::unknown_unit, file, channel);
     if (scaling == Scaling::raw) scale = to_shown(channel);
     scale.thousandths = *named;
-  } else if (is_position(column)) {
+  } else if (is_object) {
     if (scaling == Scaling::shown) scale = to_raw(channel);
     scale.thousandths = thousandths_per_tenth;
   } else if (scaling != Scaling::none) {

@@ -9,9 +9,9 @@
 #include "axisc/answers/figures/robustness_figure.hpp"
 #include "axisc/answers/simulation/followed_program.hpp"
 #include "axisc/asked/frequencies.hpp"
+#include "axisc/asked/plane.hpp"
 #include "axisc/checking/compiled_input.hpp"
 #include "axisc/environment/failure.hpp"
-#include "diagnostics/joined.hpp"
 #include "system/path.hpp"
 
 #include <algorithm>
@@ -23,8 +23,6 @@ constexpr Sentence path_needs{"--kind path needs --program", "--kind path brauch
 constexpr Sentence compare_needs{"--kind compare needs --recording", "--kind compare braucht --recording"};
 constexpr Sentence plant_needs{"--kind plant needs --plant and --move",
                                "--kind plant braucht --plant und --move"};
-constexpr Sentence bad_plane{"--plane needs two axes of the group, {axes}, not \"{value}\"",
-                             "--plane braucht zwei Achsen der Gruppe, {axes}, nicht \"{value}\""};
 constexpr Sentence kind_of_image{"--kind {kind} needs the machine: {file} is an image",
                                  "--kind {kind} braucht die Maschine: {file} ist ein Abbild"};
 constexpr Sentence order_of_image{
@@ -158,18 +156,6 @@ pictures::Figure compared(PictureQuestion const& question, InputImage const& inp
   return compare_figure(found, axis_label(contents, axis), contents.cycle_time.seconds(), question.language);
 }
 
-/// "XY" or "X,Y"; without one the first two axes, of a single one itself.
-std::pair<std::size_t, std::size_t> plane_of(std::optional<std::string> const& word,
-                                             std::vector<std::string> const& axes) {
-  if (!word) return {0, axes.size() > 1 ? 1 : 0};
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    for (std::size_t j = 0; j < axes.size(); ++j) {
-      if (i != j && (*word == axes[i] + axes[j] || *word == axes[i] + "," + axes[j])) return {i, j};
-    }
-  }
-  throw Failure({says::bad_plane, {{"axes", joined(axes)}, {"value", *word}}});
-}
-
 /// None after mistakes in the program, which are printed.
 std::optional<pictures::Figure> followed_path(PictureQuestion const& question, CheckedMachine const& checked,
                                               ErrorSink const& errors) {
@@ -177,7 +163,8 @@ std::optional<pictures::Figure> followed_path(PictureQuestion const& question, C
   auto const group = chosen_group(machine, question.group ? question.group : checked.group, question.input);
   std::vector<std::string> axes;
   for (auto const axis : machine.groups[group].axes) axes.push_back(machine.axes[axis].name);
-  auto const plane = plane_of(question.plane, axes);
+  auto const plane = question.plane ? asked_plane(*question.plane, axes)
+                                    : std::pair<std::size_t, std::size_t>(0, axes.size() > 1 ? 1 : 0);
   ProgramRequest const request{.machine_path = question.input, .program_path = *question.program};
   ProgramLines program(request.program_path);
   TakeProblem const take = [&errors](Finding const& problem, SourceSet const& sources) {

@@ -1,0 +1,306 @@
+#include "axisc/answers/circle/circle_answer.hpp"
+
+#include "axisc/answers/execution/mapping_table.hpp"
+#include "axisc/answers/labels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace axisc::says {
+
+constexpr Sentence title{"circular test, NC cycle time {cycle_time}",
+                         "Kreisformtest, NC-Zykluszeit {cycle_time}"};
+constexpr Sentence one_circle{"{u}/{v}, r {radius}, F {feed}", "{u}/{v}, r {radius}, F {feed}"};
+constexpr Sentence figure{"figure", "Kenngröße"};
+constexpr Sentence predicted{"predicted", "vorhergesagt"};
+constexpr Sentence recorded{"recorded", "aufgezeichnet"};
+constexpr Sentence deviation_g03{"circular deviation G, G03", "Kreisformabweichung G, G03"};
+constexpr Sentence deviation_g02{"circular deviation G, G02", "Kreisformabweichung G, G02"};
+constexpr Sentence bidirectional{"bidirectional G(b)", "in beiden Richtungen G(b)"};
+constexpr Sentence mean_radial{"mean radial deviation D", "mittlere Radialabweichung D"};
+constexpr Sentence radial_max{"radial deviation F, max", "Radialabweichung F, max"};
+constexpr Sentence radial_min{"radial deviation F, min", "Radialabweichung F, min"};
+constexpr Sentence hysteresis{"hysteresis", "Umkehrspanne"};
+constexpr Sentence cause{"cause", "Ursache"};
+constexpr Sentence size{"of G", "von G"};
+constexpr Sentence radius{"radius (of D)", "Radius (von D)"};
+constexpr Sentence gain{"gain {u} - {v} [µm/m]", "Verstärkung {u} - {v} [µm/m]"};
+constexpr Sentence delay{"delay {u} - {v}", "Verzögerung {u} - {v}"};
+constexpr Sentence squareness{"squareness [µm/m]", "Rechtwinkligkeit [µm/m]"};
+constexpr Sentence cross_term{"cross term [µm/m]", "Kreuzterm [µm/m]"};
+constexpr Sentence backlash{"backlash {axis}", "Lose {axis}"};
+constexpr Sentence spike{"reversal spike {axis}", "Umkehrspitze {axis}"};
+constexpr Sentence unexplained{"unexplained, rms", "nicht erklärt, Effektivwert"};
+constexpr Sentence filter{"filter", "Filter"};
+constexpr Sentence of_radius{"radius", "Radius"};
+constexpr Sentence definitions{"G, G(b), D and F after ISO 230-4:2005, as secondary sources give it",
+                               "G, G(b), D und F nach ISO 230-4:2005, wie Sekundärquellen es wiedergeben"};
+constexpr Sentence filters_are_on{
+    "filters are on, as after #FILTER ON or #VIB GUARD ON; drives are not predicted",
+    "die Filter sind an, wie nach #FILTER ON oder #VIB GUARD ON; Antriebe werden "
+    "nicht vorhergesagt"};
+constexpr Sentence keeps{"{deviation} keeps the tolerance of {tolerance}",
+                         "{deviation} hält die Toleranz von {tolerance} ein"};
+constexpr Sentence exceeds{"{deviation} exceeds the tolerance of {tolerance}",
+                           "{deviation} überschreitet die Toleranz von {tolerance}"};
+constexpr Sentence round{"the filters leave the circle round", "die Filter lassen den Kreis rund"};
+constexpr Sentence inseparable{
+    "backlash and friction cannot be told apart; larger radius or lower feed",
+    "Lose und Reibung sind nicht zu unterscheiden; größerer Radius oder kleinerer Vorschub"};
+constexpr Sentence one_direction{
+    "one direction: G and F only; record the other direction as well for D, G(b) and the causes",
+    "eine Richtung: nur G und F; für D, G(b) und die Ursachen auch die andere Richtung aufzeichnen"};
+constexpr Sentence few{
+    "{points} points in a turn: spikes may lie between them; from 360 on nothing is missed",
+    "{points} Punkte in einer Umdrehung: Spitzen können dazwischen liegen; ab 360 fehlt nichts"};
+constexpr Sentence no_setpoint{
+    "there are no setpoints: F is about the least squares centre, and a wrong centre is not seen",
+    "es gibt keine Sollwerte: F gilt um den Mittelpunkt nach kleinsten Quadraten, ein falscher Mittelpunkt "
+    "ist nicht zu sehen"};
+constexpr Sentence filtered_setpoint{
+    "the setpoints are those after the filters: what these do is not in the recorded figures",
+    "die Sollwerte sind die nach den Filtern: Was diese tun, ist nicht in den aufgezeichneten Kenngrößen"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+using namespace presentation;
+using circle::Deviations;
+
+constexpr double ppm = 1e6;
+constexpr std::size_t enough_points = 360;
+/// Of the largest cause, and in µm: smaller ones need no remedy.
+constexpr double notable_share = 0.1;
+constexpr double notable_um = 0.1;
+
+/// By Causes::spikes.
+constexpr std::array<std::string_view, 8> spike_places{"ccw u+", "ccw v+", "ccw u-", "ccw v-",
+                                                       "cw u+",  "cw v+",  "cw u-",  "cw v-"};
+/// By CircleReference.
+constexpr std::array<std::string_view, 3> references{"setpoint", "filtered-setpoint", "least-squares"};
+
+Value um(std::optional<double> value) {
+  return value ? Value(fixed(*value, Unit::micrometre, 2)) : Value();
+}
+
+Words of_axes(SentenceRef sentence, CircleCase const& one) {
+  return {sentence, {{"u", one.axes[0]}, {"v", one.axes[1]}}};
+}
+
+Facts deviation_data(Deviations const& of) {
+  return {{data("circular_deviation_um", of.counterclockwise, "ccw"),
+           data("circular_deviation_um", of.clockwise, "cw"),
+           data("bidirectional_circular_deviation_um", of.bidirectional),
+           data("mean_radial_deviation_um", of.mean_radial),
+           data("radial_deviation_um", of.radial_max, "max"),
+           data("radial_deviation_um", of.radial_min, "min"), data("hysteresis_um", of.hysteresis)}};
+}
+
+Table filters_table(CircleCase const& one) {
+  Table table{.key = "filters_um",
+              .columns = {head_column("axis", labels::axis), column("filter", says::filter),
+                          column("radius_um", says::of_radius, Unit::micrometre),
+                          column("delay_us", labels::delay, Unit::microsecond)},
+              .rows = {}};
+  for (std::size_t i = 0; i < one.axes.size(); ++i) {
+    for (auto const& share : one.filtered.at(i).shares) {
+      table.rows.push_back({one.axes.at(i), share.filter,
+                            fixed(one.predicted.radius * (share.gain - 1), Unit::micrometre, 3),
+                            fixed(share.delay_s * ppm, Unit::microsecond, 1)});
+    }
+  }
+  return table;
+}
+
+Section prediction_data(CircleCase const& one) {
+  auto filters = filters_table(one);
+  auto causes = data_section("causes", {data("radius_um", one.predicted.radius_deviation()),
+                                        data("gain_difference", one.predicted.gain_u - one.predicted.gain_v),
+                                        data("delay_difference_us", one.delay_difference_s() * ppm)});
+  causes.blocks.emplace_back(std::move(filters));
+  return {.key = "prediction",
+          .title = {},
+          .blocks = {deviation_data(one.deviations), std::move(causes)},
+          .audience = Audience::programs};
+}
+
+Section causes_data(RecordedCircle const& recorded) {
+  auto const& found = *recorded.causes;
+  std::vector<Field> fields{
+      data("radius_um", found.radius),
+      data("centre_um", Numbers{{found.centre[0], found.centre[1]}}),
+      data("gain_difference", found.gain_difference),
+      data("squareness_um_per_m", found.squareness * ppm),
+      data("delay_difference_us", found.delay_difference / recorded.angular_speed * ppm),
+      data("backlash_um",
+           found.is_separable ? Value(Numbers{{found.backlash[0], found.backlash[1]}}) : Value()),
+      data("backlash_uncertainty_um",
+           Numbers{{found.backlash_uncertainty[0], found.backlash_uncertainty[1]}})};
+  for (std::size_t i = 0; i < found.spikes.size(); ++i) {
+    fields.push_back(data("spike_um", found.spikes.at(i), std::string(spike_places.at(i))));
+  }
+  fields.push_back(data("unexplained_rms_um", found.unexplained_rms));
+  return data_section("causes", std::move(fields));
+}
+
+Section recording_data(RecordedCircle const& recorded) {
+  Section section{
+      .key = "recording",
+      .title = {},
+      .blocks = {Facts{{data("points_per_turn", recorded.points),
+                        data("reference", references.at(static_cast<std::size_t>(recorded.reference))),
+                        data("external", recorded.is_external)}},
+                 deviation_data(recorded.deviations)},
+      .audience = Audience::programs};
+  auto const& causes = recorded.causes;
+  section.blocks.emplace_back(
+      Facts{{data("backlash_and_friction_separable", causes ? Value(causes->is_separable) : Value())}});
+  if (causes) {
+    section.blocks.emplace_back(causes_data(recorded));
+  } else {
+    section.blocks.emplace_back(Facts{{data("causes", {})}});
+  }
+  return section;
+}
+
+Table for_people(SentenceRef head, bool is_recorded) {
+  Table table{.key = {},
+              .columns = {head_column({}, head), column({}, says::predicted)},
+              .rows = {},
+              .audience = Audience::people};
+  if (is_recorded) table.columns.push_back(column({}, says::recorded));
+  return table;
+}
+
+Table deviations_table(CircleCase const& one) {
+  auto table = for_people(says::figure, one.recorded.has_value());
+  auto const add = [&](SentenceRef name, auto const& figure) {
+    table.rows.push_back({Words(name), um(figure(one.deviations))});
+    if (one.recorded) table.rows.back().push_back(um(figure(one.recorded->deviations)));
+  };
+  add(says::deviation_g03, [](Deviations const& of) { return of.counterclockwise; });
+  add(says::deviation_g02, [](Deviations const& of) { return of.clockwise; });
+  add(says::bidirectional, [](Deviations const& of) { return of.bidirectional; });
+  add(says::mean_radial, [](Deviations const& of) { return of.mean_radial; });
+  add(says::radial_max, [](Deviations const& of) { return of.radial_max; });
+  add(says::radial_min, [](Deviations const& of) { return of.radial_min; });
+  add(says::hysteresis, [](Deviations const& of) { return of.hysteresis; });
+  return table;
+}
+
+Table causes_table(CircleCase const& one) {
+  auto const* const recorded = one.recorded && one.recorded->causes ? &*one.recorded->causes : nullptr;
+  auto table = for_people(says::cause, recorded != nullptr);
+  auto const add = [&](Words name, Value predicted, auto const& found) {
+    table.rows.push_back({std::move(name), std::move(predicted)});
+    if (recorded != nullptr) table.rows.back().push_back(found(*recorded));
+  };
+  auto const per_million = [](double value) { return Value(fixed(value * ppm, Unit::none, 1)); };
+  auto const time = [](double seconds) { return Value(fixed(seconds * ppm, Unit::microsecond, 1)); };
+  using circle::Causes;
+  add(says::radius, um(one.predicted.radius_deviation()),
+      [](Causes const& found) { return um(found.radius); });
+  add(of_axes(says::gain, one), per_million(one.predicted.gain_u - one.predicted.gain_v),
+      [&](Causes const& found) { return per_million(found.gain_difference); });
+  add(of_axes(says::delay, one), time(one.delay_difference_s()),
+      [&](Causes const& found) { return time(found.delay_difference / one.recorded->angular_speed); });
+  if (recorded == nullptr) return table;
+  add(one.recorded->is_external ? says::squareness : says::cross_term, {},
+      [&](Causes const& found) { return per_million(found.squareness); });
+  for (std::size_t i = 0; i < one.axes.size(); ++i) {
+    if (!recorded->is_separable) break;
+    add(Words(says::backlash, {{"axis", one.axes.at(i)}}), {},
+        [i](Causes const& found) { return um(found.backlash.at(i)); });
+  }
+  for (std::size_t i = 0; i < one.axes.size(); ++i) {
+    add(Words(says::spike, {{"axis", one.axes.at(i)}}), {}, [i](Causes const& found) {
+      double largest = 0;
+      for (std::size_t k = i; k < found.spikes.size(); k += 2)
+        largest = std::max(largest, found.spikes.at(k));
+      return um(largest);
+    });
+  }
+  add(says::unexplained, {}, [](Causes const& found) { return um(found.unexplained_rms); });
+  return table;
+}
+
+/// What a reader has to know about the recording.
+void add_remarks(std::vector<Block>& blocks, RecordedCircle const& recorded) {
+  if (recorded.turns.size() < 2) blocks.emplace_back(Paragraph{says::one_direction});
+  if (recorded.points < enough_points) {
+    blocks.emplace_back(Paragraph{Words(says::few, {{"points", recorded.points}})});
+  }
+  if (recorded.reference == CircleReference::least_squares) blocks.emplace_back(Paragraph{says::no_setpoint});
+  if (recorded.reference == CircleReference::filtered_setpoint) {
+    blocks.emplace_back(Paragraph{says::filtered_setpoint});
+  }
+  if (recorded.causes && !recorded.causes->is_separable) blocks.emplace_back(Paragraph{says::inseparable});
+}
+
+void add_remedies(std::vector<Block>& blocks, CircleCase const& one) {
+  auto const causes = causes_by_size(one);
+  if (causes.empty()) return;
+  double const least = std::max(notable_um, notable_share * causes.front().size_um);
+  if (!one.recorded && causes.front().size_um < least) blocks.emplace_back(Paragraph{says::round});
+  for (auto const& cause : causes) {
+    if (cause.size_um >= least && cause.remedy) blocks.emplace_back(Paragraph{*cause.remedy});
+  }
+}
+
+}  // namespace
+
+Words circle_title(CircleCase const& one) {
+  return {says::one_circle,
+          {{"u", one.axes[0]},
+           {"v", one.axes[1]},
+           {"radius", rounded(one.radius_mm, Unit::millimetre, 6)},
+           {"feed", rounded(one.feed_mm_per_min, Unit::millimetre_per_minute, 5)}}};
+}
+
+std::vector<Block> circle_blocks(CircularTest const& test, CircleCase const& one) {
+  std::vector<Block> blocks{prediction_data(one)};
+  if (one.recorded) {
+    blocks.emplace_back(recording_data(*one.recorded));
+    blocks.emplace_back(mapping_table(one.recorded->signals, one.recorded->mapping));
+  }
+  blocks.emplace_back(deviations_table(one));
+  if (test.tolerance_um) {
+    blocks.emplace_back(Facts{{data("keeps_tolerance", test.keeps(one))}});
+    blocks.emplace_back(Paragraph{Words(
+        test.keeps(one) ? says::keeps : says::exceeds,
+        {{"deviation", um(one.deviation())}, {"tolerance", exact(*test.tolerance_um, Unit::micrometre)}})});
+  }
+  blocks.emplace_back(causes_table(one));
+  auto filters = filters_table(one);
+  filters.audience = Audience::people;
+  if (!filters.rows.empty()) blocks.emplace_back(std::move(filters));
+  if (one.recorded) add_remarks(blocks, *one.recorded);
+  add_remedies(blocks, one);
+  return blocks;
+}
+
+Document circle_answer(CircularTest const& test) {
+  auto const cycle_time = exact(test.cycle_time.microseconds(), Unit::microsecond);
+  Sections circles{.key = "circles", .items = {}};
+  for (auto const& one : test.cases) {
+    circles.items.push_back(
+        {.key = {},
+         .title = circle_title(one),
+         .blocks = circle_blocks(test, one),
+         .identity = {data("plane", one.axes[0] + one.axes[1]), data("axes", Names{one.axes[0], one.axes[1]}),
+                      data("feed_mm_per_min", one.feed_mm_per_min), data("radius_mm", one.radius_mm)}});
+  }
+  return {.version = 1,
+          .title = Words(says::title, {{"cycle_time", cycle_time}}),
+          .blocks = {Facts{{data("cycle_time_us", cycle_time), data("tolerance_um", test.tolerance_um)}},
+                     std::move(circles), Paragraph{says::filters_are_on}, Paragraph{says::definitions}},
+          .csv_table = "circles"};
+}
+
+}  // namespace axisc

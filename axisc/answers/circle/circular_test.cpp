@@ -1,0 +1,200 @@
+#include "axisc/answers/circle/circular_test.hpp"
+
+#include "analysis/motion/contour/position_delays.hpp"
+#include "axisc/asked/plane.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/environment/sentences.hpp"
+#include "diagnostics/format_number.hpp"
+#include "image/chain_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace axisc::says {
+
+constexpr Sentence no_two_axes{"{machine} has no two linear axes in a channel: there is no circle",
+                               "{machine} hat keine zwei Linearachsen in einem Kanal: Es gibt keinen Kreis"};
+constexpr Sentence needs_circle{"without a recording, a circle needs --feed and --radius",
+                                "ohne Aufzeichnung braucht ein Kreis --feed und --radius"};
+constexpr Sentence needs_plane{
+    "the machine has several pairs of linear axes; name the one of the circle with --plane",
+    "die Maschine hat mehrere Paare von Linearachsen; das des Kreises mit --plane nennen"};
+constexpr Sentence not_recorded{
+    "--{option} {given}: the recorded circle has {recorded} {unit}; leave the option out, or give that",
+    "--{option} {given}: der aufgezeichnete Kreis hat {recorded} {unit}; die Option weglassen oder das "
+    "angeben"};
+constexpr Sentence too_fast{
+    "at {feed} mm/min a circle of {radius} mm takes less than two NC cycles; lower the feed",
+    "bei {feed} mm/min dauert ein Kreis von {radius} mm weniger als zwei NC-Zyklen; den Vorschub verringern"};
+
+}  // namespace axisc::says
+
+namespace axisc {
+
+namespace {
+
+constexpr Code unlike_delays{4011};
+constexpr double um_per_mm = 1000;
+constexpr double seconds_per_minute = 60;
+/// Of --feed and --radius from what was recorded.
+constexpr double largest_difference = 0.01;
+
+bool is_linear(machine::AxisConfiguration const& axis) {
+  return axis.type == machine::AxisType::translatory && !axis.gantry_master;
+}
+
+std::vector<Plane> planes_of(CircleMachine const& machine, std::optional<std::string> const& word) {
+  auto const& axes = machine.machine.axes;
+  std::vector<Plane> planes;
+  std::vector<std::string> names;
+  std::vector<std::size_t> linear;
+  for (auto const& group : machine.machine.groups) {
+    for (auto first = group.axes.begin(); first != group.axes.end(); ++first) {
+      if (!is_linear(axes[*first])) continue;
+      names.push_back(axes[*first].name);
+      linear.push_back(*first);
+      for (auto second = first + 1; second != group.axes.end(); ++second) {
+        if (is_linear(axes[*second])) planes.push_back({*first, *second});
+      }
+    }
+  }
+  if (word) {
+    auto const [u, v] = asked_plane(*word, names);
+    return {{linear[u], linear[v]}};
+  }
+  if (planes.empty()) throw Failure({says::no_two_axes, {{"machine", machine.path}}});
+  return planes;
+}
+
+CircleCase predicted(CircleMachine const& machine, Plane const& plane, double feed, double radius_mm) {
+  CircleCase one;
+  one.feed_mm_per_min = feed;
+  one.radius_mm = radius_mm;
+  double const omega = feed / seconds_per_minute / radius_mm;
+  if (omega * machine.machine.cycle_time.seconds() >= std::numbers::pi) {
+    throw Failure(
+        {says::too_fast, {{"feed", format_rounded(feed, 6)}, {"radius", format_rounded(radius_mm, 6)}}});
+  }
+  std::vector<machine::PositionDelay> later;
+  for (auto const axis : plane) {
+    later.push_back(machine::position_delay(machine.machine.axes[axis].drive_path));
+  }
+  later = motion::unequal_delays(later);
+  later.resize(plane.size());
+  for (std::size_t i = 0; i < plane.size(); ++i) {
+    one.axes.at(i) = machine.machine.axes[plane.at(i)].name;
+    if (blocks_constant(machine.image.axes[plane.at(i)])) {
+      throw Failure({says::blocks_constant, {{"axis", one.axes.at(i)}, {"group", machine.path}}});
+    }
+    one.filtered.at(i) = filtered_axis(machine.image, plane.at(i), later[i], omega);
+  }
+  one.predicted = {.radius = radius_mm * um_per_mm,
+                   .gain_u = one.filtered[0].gain(),
+                   .gain_v = one.filtered[1].gain(),
+                   .phase = omega * one.delay_difference_s()};
+  one.deviations = one.predicted.deviations();
+  return one;
+}
+
+/// Until the filters of both axes have forgotten how the circle began.
+double settling_s(ImageFile const& image, Plane const& plane) {
+  std::uint64_t cycles = 0;
+  for (auto const& figures : image::chain_figures(image.bytes.bytes(), image.contents, plane)) {
+    cycles = std::max(cycles, figures.settling_cycles.value_or(image::longest_settling));
+  }
+  std::size_t taps = 0;
+  for (auto const axis : plane) {
+    auto const& slot = image.contents.axes[axis].slot;
+    if (slot && slot->kernel) taps = std::max(taps, image.contents.kernels[*slot->kernel].design.taps.size());
+  }
+  return static_cast<double>(cycles + taps) * image.contents.cycle_time.seconds();
+}
+
+void compare(std::string const& option, std::vector<double> const& given, double recorded,
+             std::string const& unit) {
+  if (given.empty()) return;
+  bool const is_known = std::any_of(given.begin(), given.end(), [&](double each) {
+    return std::abs(each - recorded) <= largest_difference * recorded;
+  });
+  if (is_known) return;
+  throw Failure({says::not_recorded,
+                 {{"option", option},
+                  {"given", format_rounded(given.front(), 6)},
+                  {"recorded", format_rounded(recorded, 6)},
+                  {"unit", unit}}});
+}
+
+CircleCase recorded(CircleMachine const& machine, ImageFile const& image, CircleQuestion const& question) {
+  std::vector<RecordingFile> files;
+  for (auto const& path : question.recordings) files.push_back(open_recording(path));
+  auto wanted = question.recorded;
+  wanted.radius_mm = question.radius_mm;
+  if (!question.feeds.empty()) wanted.feed = question.feeds.front();
+  auto const planes = planes_of(machine, question.plane);
+  if (planes.size() > 1 && wanted.is_external) throw Failure({says::needs_plane});
+  auto const plane =
+      planes.size() == 1 ? planes.front() : recorded_plane(machine, files.front(), wanted.actuals);
+  auto found = recorded_circle(machine, plane, files, wanted, settling_s(image, plane));
+  double const radius_mm = found.radius / um_per_mm;
+  double const feed = found.feed_mm_per_min();
+  if (question.radius_mm) compare("radius", {*question.radius_mm}, radius_mm, "mm");
+  compare("feed", question.feeds, feed, "mm/min");
+  auto one = predicted(machine, plane, feed, radius_mm);
+  one.recorded = std::move(found);
+  return one;
+}
+
+}  // namespace
+
+double CircleCase::delay_difference_s() const {
+  return filtered[0].delay_s() - filtered[1].delay_s();
+}
+
+double CircleCase::deviation() const {
+  auto const& figures = recorded ? recorded->deviations : deviations;
+  if (figures.bidirectional) return *figures.bidirectional;
+  return figures.counterclockwise ? *figures.counterclockwise : figures.clockwise.value_or(0);
+}
+
+bool CircularTest::keeps(CircleCase const& one) const {
+  return !tolerance_um || one.deviation() <= *tolerance_um;
+}
+
+bool CircularTest::keeps_tolerance() const {
+  return std::all_of(cases.begin(), cases.end(), [this](CircleCase const& one) { return keeps(one); });
+}
+
+Overrides with_unlike_delays(Overrides overrides) {
+  overrides.options.severities[unlike_delays] = Severity::warning;
+  return overrides;
+}
+
+std::optional<CircularTest> circular_test(Workspace& workspace, CircleQuestion const& question,
+                                          ErrorSink const& errors) {
+  bool const is_recorded = !question.recordings.empty();
+  if (!is_recorded && (question.feeds.empty() || !question.radius_mm)) throw Failure({says::needs_circle});
+  auto checked = checked_machine(workspace, question.machine, errors);
+  if (!checked) return std::nullopt;
+  auto const image = image_of(checked->machine, question.machine.input);
+  CircleMachine const machine{
+      .path = question.machine.input, .machine = checked->machine, .image = image.contents};
+  CircularTest test{.cycle_time = machine.machine.cycle_time,
+                    .cases = {},
+                    .tolerance_um = question.tolerance_um,
+                    .files = std::move(checked->files)};
+  test.files.insert(test.files.end(), question.recordings.begin(), question.recordings.end());
+  if (is_recorded) {
+    test.cases.push_back(recorded(machine, image, question));
+    return test;
+  }
+  for (auto const& plane : planes_of(machine, question.plane)) {
+    for (double const feed : question.feeds) {
+      test.cases.push_back(predicted(machine, plane, feed, *question.radius_mm));
+    }
+  }
+  return test;
+}
+
+}  // namespace axisc

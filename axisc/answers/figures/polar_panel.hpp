@@ -1,0 +1,37 @@
+// A circle with its deviations magnified.
+#pragma once
+
+#include "presentation/pictures/figure.hpp"
+
+#include <string>
+#include <vector>
+
+namespace axisc {
+
+/// 1, 2 or 5 times a power of ten, not above `value`.
+[[nodiscard]] double round_below(double value);
+
+/// Radius 1 of the picture is the programmed one.
+class PolarPanel {
+ public:
+  /// The largest deviation is drawn up to 0.3 radii from the circle; `radius` in the same unit.
+  PolarPanel(double radius, double largest);
+
+  /// By how much deviations are magnified: a round number.
+  [[nodiscard]] double factor() const { return factor_; }
+  /// At this deviation; words lie beside it.
+  void add_ring(double deviation, std::string name, std::string words);
+  /// `points` in the unit of the radius, about the centre of the circle.
+  void add(pictures::Curve style, std::vector<pictures::Point> const& points);
+
+  /// With its own horizontal axis.
+  [[nodiscard]] pictures::Panel take() &&;
+
+ private:
+  [[nodiscard]] double shown(double deviation) const { return 1 + deviation / radius_ * factor_; }
+
+  double radius_, factor_;
+  pictures::Panel panel_;
+};
+
+}  // namespace axisc
