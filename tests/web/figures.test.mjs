@@ -3,7 +3,7 @@ import { mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import test, { after, before } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
-import { afterCheck, begin, chooseFolder, chooseLongList, end, opened, pageFolder, resident, samples, wait } from './support.mjs';
+import { afterCheck, begin, chooseFolder, chooseLongList, end, isOneFile, opened, place, resident, samples, wait } from './support.mjs';
 
 let folder;
 
@@ -49,12 +49,12 @@ test('figures', { timeout: 300000 }, async () => {
     folders.push(await page.evaluate(() => Number(document.body.dataset.latency)));
   }
   let size = 0;
-  for (const name of (await readdir(pageFolder)).filter((one) => /\.(html|css|js|wasm|svg)$/.test(one))) {
-    size += brotliCompressSync(await readFile(path.join(pageFolder, name))).length;
-  }
+  const parts = isOneFile ? [] : (await readdir(place)).filter((one) => /\.(css|js|wasm|svg)$|^index/.test(one));
+  for (const name of parts) size += brotliCompressSync(await readFile(path.join(place, name))).length;
+  const sizes = isOneFile ? `${(await readFile(place)).length} bytes in one file` : `${(size / 1e6).toFixed(2)} MB with brotli`;
   console.error(
     `figures: ${median(starts).toFixed(0)} ms from navigation to the first findings; ${typed.toFixed(0)} ms from a keystroke in 1,000 lines to its findings; ` +
-      `${median(folders).toFixed(0)} ms for 16 axes; ${(size / 1e6).toFixed(2)} MB with brotli; ` +
+      `${median(folders).toFixed(0)} ms for 16 axes; ${sizes}; ` +
       `after 100 edits ${before.toFixed(1)} MB of objects, ${occupied.toFixed(0)} MB with the worker; ` +
       `after 1,000 edits ${atEnd.toFixed(1)} MB and ${occupiedAtEnd.toFixed(0)} MB`,
   );

@@ -1,5 +1,6 @@
 // The page in a browser, and what the native program says about the same files.
-//   AXISC, PAGE: the native program and the folder of the page; AXISC_PICTURES: where pictures of the page are written
+//   AXISC, PAGE: the native program and the folder of the page, or its one file, axisc.html, which is opened from the disk;
+//   AXISC_PICTURES: where pictures of the page are written
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
@@ -7,13 +8,14 @@ import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 export const require = createRequire(path.join(root, 'web/package.json'));
 const { chromium } = require('playwright-core');
 export const native = process.env.AXISC ?? path.join(root, 'build/release/bin/axisc');
-export const pageFolder = process.env.PAGE ?? path.join(root, 'build/web');
+export const place = process.env.PAGE ?? path.join(root, 'build/web');
+export const isOneFile = place.endsWith('.html');
 export const samples = path.join(root, 'samples');
 export const wait = { timeout: 120000 };
 export const cycle = ['--cycle-time', '1ms'];
@@ -27,8 +29,15 @@ export const strangers = [];
 
 /** Serves the page and starts a browser; gives a folder for files. */
 export async function begin() {
+  if (isOneFile) address = String(pathToFileURL(place));
+  else await serve();
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu', '--enable-precise-memory-info', '--js-flags=--expose-gc'] });
+  return mkdtemp(path.join(os.tmpdir(), 'axisc-web-'));
+}
+
+async function serve() {
   server = createServer(async (request, response) => {
-    const name = path.join(pageFolder, path.normalize(new URL(request.url, 'http://x').pathname.replace(/\/$/, '/index.html')));
+    const name = path.join(place, path.normalize(new URL(request.url, 'http://x').pathname.replace(/\/$/, '/index.html')));
     try {
       const bytes = await readFile(name);
       response.writeHead(200, { 'content-type': types[path.extname(name)] ?? 'application/octet-stream' }).end(bytes);
@@ -38,8 +47,6 @@ export async function begin() {
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   address = `http://127.0.0.1:${server.address().port}/`;
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu', '--enable-precise-memory-info', '--js-flags=--expose-gc'] });
-  return mkdtemp(path.join(os.tmpdir(), 'axisc-web-'));
 }
 
 export async function end(folder) {
@@ -52,7 +59,9 @@ export async function opened(options = {}, target = '') {
   const context = await browser.newContext({ locale: 'en-GB', viewport: { width: 1280, height: 800 }, ...options });
   const made = await context.newPage();
   made.setDefaultTimeout(10000);
-  made.on('console', (message) => /Content Security Policy/.test(message.text()) && violations.push(message.text()));
+  made.on('console', (message) => message.type() === 'error' && violations.push(message.text()));
+  // Changes of one test are of no interest to the next one.
+  made.on('dialog', (dialog) => dialog.accept());
   made.on('pageerror', (failure) => violations.push(String(failure)));
   made.on('request', (request) => {
     if (!request.url().startsWith(address) && !/^(blob|data):/.test(request.url())) strangers.push(request.url());
@@ -74,25 +83,33 @@ export async function afterCheck(one, act) {
   await checked(one, act, await rounds(one));
 }
 
-/** Findings as the page lists them. */
-export const listed = (one) =>
-  one.$$eval('#finding-list li', (items) =>
-    items.map((item) => ({
-      severity: item.className,
-      code: item.querySelector('.code').textContent,
-      message: item.querySelector('.message').textContent,
-      place: item.querySelector('.place').textContent.replace(/^.* · /, ''),
-    })),
+const inOrder = (findings) => findings.map((finding) => [JSON.stringify(finding), finding]).sort(([a], [b]) => (a < b ? -1 : 1)).map(([, finding]) => finding);
+
+/** Findings as the page lists them, without their order: equal ones are one entry with several places. */
+export const listed = async (one) =>
+  inOrder(
+    await one.$$eval('#finding-list li', (items) =>
+      items.flatMap((item) =>
+        [...item.querySelectorAll('.place')].map((place) => ({
+          severity: item.className,
+          code: item.querySelector('.code').textContent,
+          message: item.querySelector('.message').textContent,
+          place: place.textContent.replace(/^.* · /, ''),
+        })),
+      ),
+    ),
   );
 
 export function expected(words, cwd, language = 'en') {
   const { stdout } = run(['lint', '--lang', language, ...words, '--format', 'json'], cwd);
-  return JSON.parse(stdout).diagnostics.map((finding) => ({
-    severity: finding.severity,
-    code: finding.code,
-    message: finding.message.replace(/`/g, ''),
-    place: finding.line > 0 ? `${finding.file}:${finding.line}:${finding.column ?? 1}` : finding.file,
-  }));
+  return inOrder(
+    JSON.parse(stdout).diagnostics.map((finding) => ({
+      severity: finding.severity,
+      code: finding.code,
+      message: finding.message.replace(/`/g, ''),
+      place: finding.line > 0 ? `${finding.file}:${finding.line}:${finding.column ?? 1}` : finding.file,
+    })),
+  );
 }
 
 export async function filesBelow(whole) {
@@ -102,6 +119,12 @@ export async function filesBelow(whole) {
 
 export const choose = (one, files) => afterCheck(one, () => one.setInputFiles('#files', files));
 export const chooseFolder = (one, whole) => afterCheck(one, () => one.setInputFiles('#folder', whole));
+
+/** A sample of the start page. */
+export const chooseSample = async (one, name) => {
+  if (await one.isHidden('#start')) await one.click('#other');
+  await afterCheck(one, () => one.click(`[data-sample=${name}]`));
+};
 
 /** A list of 1,000 lines, with the cursor in a comment at its end. */
 export async function chooseLongList(one, folder) {

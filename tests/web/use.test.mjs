@@ -4,7 +4,7 @@ import { cp, mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { equalAsNumbers } from '../platforms/equal_as_numbers.mjs';
 import test, { after, before } from 'node:test';
-import { afterCheck, begin, choose, chooseFolder, cycle, drawn, end, expected, filesBelow, listed, opened, picture, require, root, run, samples, saved, strangers, violations, wait } from './support.mjs';
+import { afterCheck, begin, choose, chooseFolder, chooseSample, cycle, drawn, end, expected, filesBelow, listed, opened, picture, require, root, run, samples, saved, strangers, violations, wait } from './support.mjs';
 
 const { unzipSync } = require('fflate');
 const notch = `kopf.achs_nr 1
@@ -101,6 +101,9 @@ test('findings are German in German', wait, async () => {
 test('the cycle time decides', wait, async () => {
   const list = path.join(samples, 'mistakes/units.lis');
   await choose(page, list);
+  await page.fill('#cycle-time', 'Abc');
+  await page.press('#cycle-time', 'Enter');
+  assert.equal(await page.getAttribute('#cycle-time', 'aria-invalid'), 'true');
   await page.fill('#cycle-time', '250us');
   await afterCheck(page, () => page.press('#cycle-time', 'Enter'));
   assert.deepEqual(await listed(page), expected(['--cycle-time', '250us', 'units.lis'], path.dirname(list)));
@@ -109,7 +112,7 @@ test('the cycle time decides', wait, async () => {
 });
 
 test('what is pasted becomes a list; names that look like options are names', wait, async () => {
-  await page.focus('#open');
+  await page.focus('#theme');
   await afterCheck(page, () =>
     page.evaluate(() => {
       const clipboardData = new DataTransfer();
@@ -157,11 +160,11 @@ test('a name says what it means, and completes; numbers say their quantity', wai
 });
 
 test('the machine leads to its files; an edit is compared with what was opened', wait, async () => {
-  await afterCheck(page, () => page.selectOption('#samples', 'mill'));
+  await chooseSample(page, 'mill');
   await page.click('#tab-machine');
+  await page.waitForFunction(() => document.getElementById('contour-text').textContent.includes('µm'));
   await page.click('#machine-text .link:text-is("x.lis")');
   assert.equal(await page.$eval('#file-name', (name) => name.textContent), 'mill/x.lis');
-  await page.waitForFunction(() => document.getElementById('contour-text').textContent.includes('µm'));
   await page.click('#tab-pictures');
   const source = () => page.$eval('.frame img', (image) => image.src);
   await page.waitForFunction(() => document.querySelector('.frame img').naturalWidth > 0);
@@ -201,6 +204,7 @@ test('an axis with its plant is drawn as plot draws it, from a folder and from s
   const single = (await filesBelow(rack)).filter((file) => /\.(lis|json)$/.test(file));
   await choose(page, single);
   assert.deepEqual(await listed(page), expected(['machine.json', 'x.lis'], rack));
+  await page.click('#tab-pictures');
   await drawn(page, 'plant');
   assert.equal(await page.inputValue('#plant'), 'plant.json');
   await drawn(page, 'response');
@@ -208,11 +212,93 @@ test('an axis with its plant is drawn as plot draws it, from a folder and from s
 });
 
 test('an image of the mill is the native one', wait, async () => {
-  await afterCheck(page, () => page.selectOption('#samples', 'mill'));
+  await chooseSample(page, 'mill');
   const image = await saved(page, '#compile');
   await mkdir(path.join(folder, 'images'));
   run(['compile', '--quiet', '-o', path.join(folder, 'images/mill.axim'), 'mill'], samples);
   assert.deepEqual(image, await readFile(path.join(folder, 'images/mill.axim')));
+});
+
+test('a sound folder shows its machine, its verdict, and what its files are for', wait, async () => {
+  await chooseFolder(page, path.join(samples, 'controller'));
+  await page.waitForFunction(() => document.body.dataset.panel === 'machine' && document.getElementById('contour-text').textContent.includes('µm'));
+  assert.equal(await page.getAttribute('#verdict', 'data-state'), 'sound');
+  await page.waitForFunction(() => document.getElementById('subject-words').textContent !== '');
+  assert.match(await page.textContent('#subject'), /hochlauf.*X, Y, Z, X2, U, S.*2000 µs, from controller\/listen\/rtconf\.lis:5/);
+  assert.equal(await page.isVisible('#cycle-time'), false);
+  const rows = await page.$$eval('#contour-text tbody tr', (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  // samples/controller/listen/achsmds1.lis: a moving average of order 10, half of it at 2 ms; achsmds5.lis: a low-pass at 30 Hz.
+  assert.deepEqual(rows[0].slice(0, 3), ['X', 'moving average, order 10', '10']);
+  assert.deepEqual(rows[4].slice(0, 2), ['U', 'low-pass 30 Hz']);
+  const files = await page.$$eval('#file-list button', (all) => all.map((row) => row.textContent));
+  assert.ok(files.includes('Xachsmds1.lis') && files.includes('Fraesensda_mds1.lis'), String(files));
+});
+
+test('equal findings are one entry that repairs all of them; severities are chosen', wait, async () => {
+  const lists = ['a', 'b', 'c'].map((name) => path.join(folder, `${name}.lis`));
+  for (const list of lists) await writeFile(list, 'kopf.achs_nr 01\nfilter[0].oder 2\nENDE\n');
+  await choose(page, lists);
+  const titles = await page.$$eval('#finding-list li', (items) => items.map((item) => item.querySelector('.code').textContent));
+  assert.deepEqual(titles.filter((code) => code === 'AX1006'), ['AX1006']);
+  const count = (await listed(page)).length;
+  await page.click('#filters .error');
+  assert.ok((await listed(page)).every(({ severity }) => severity === 'error'));
+  await page.click('#filters .all');
+  assert.equal((await listed(page)).length, count);
+  await afterCheck(page, () => page.click('#finding-list li:has-text("AX1006") .fix'));
+  assert.deepEqual((await listed(page)).filter(({ code }) => code === 'AX1006'), []);
+  assert.equal(await page.$$eval('#file-list .changed', (marks) => marks.length), 3);
+});
+
+test('the number of safe fixes is that of --fix; without any there is nothing to press', wait, async () => {
+  const copy = path.join(folder, 'typing.lis');
+  await cp(path.join(samples, 'mistakes/typing.lis'), copy);
+  await choose(page, copy);
+  const { stdout, stderr } = run(['lint', '--fix', ...cycle, 'typing.lis'], folder);
+  const fixed = /(\d+) findings? w/.exec(`${stdout}${stderr}`)?.[1];
+  await page.waitForFunction((count) => document.getElementById('fix-all').textContent.includes(`(${count})`), fixed);
+  await chooseFolder(page, path.join(samples, 'mill'));
+  await page.waitForFunction(() => document.getElementById('fix-all').disabled);
+});
+
+test('numbers, codes and words are looked up, and lead to one another', wait, async () => {
+  await page.fill('#word', 'AX3004');
+  await page.press('#word', 'Enter');
+  await page.waitForFunction(() => document.querySelector('dialog[open] #page-text')?.textContent.includes('AX3004'));
+  await page.keyboard.press('Escape');
+  await page.fill('#word', '50663');
+  await page.press('#word', 'Enter');
+  await page.waitForFunction(() => document.querySelector('dialog[open] #page-text')?.textContent.includes('50663'));
+  await page.click('#page-text .link:text-is("AX3004")');
+  await page.waitForFunction(() => document.querySelector('#page-text h3')?.textContent.startsWith('AX3004'));
+  await page.keyboard.press('Escape');
+});
+
+test('a recording that is dropped on its lists is compared with them', wait, async () => {
+  const recording = path.join(samples, 'recording');
+  await choose(page, path.join(recording, 'x.lis'));
+  await page.setInputFiles('#files', path.join(recording, 'scope.csv'));
+  await page.waitForFunction(() => document.getElementById('picture-text').textContent !== '' && document.querySelector('.frame img').naturalWidth > 0);
+  const { stdout } = run(['compare', '--lang', 'en', 'x.lis', 'scope.csv', ...cycle, '--format', 'json'], recording);
+  const deviation = JSON.parse(stdout).listed.largest;
+  assert.ok((await page.textContent('#picture-text')).includes(String(Number(deviation.toPrecision(3)))));
+});
+
+test('changes are not lost without a question', wait, async () => {
+  await choose(page, path.join(samples, 'mistakes/units.lis'));
+  await page.click('.cm-content');
+  await afterCheck(page, () => page.keyboard.insertText('# '));
+  const asked = page.waitForEvent('dialog');
+  await choose(page, path.join(samples, 'mistakes/typing.lis'));
+  assert.match((await asked).message(), /units\.lis/);
+});
+
+test('licences are in the page', wait, async () => {
+  await page.click('#other');
+  await page.click('#about .link');
+  await page.waitForFunction(() => /MIT License[^]*codemirror[^]*Boost/i.test(document.querySelector('dialog[open] #page-text')?.textContent ?? ''));
+  await page.keyboard.press('Escape');
+  await page.click('#other');
 });
 
 test('nothing was refused by the policy, and nothing asked for elsewhere', () => {

@@ -40,13 +40,17 @@ export class Actions {
   download(): void {
     const { workspace, shown } = this.page;
     const file = workspace.files.get(shown);
-    if (file) save(nameOf(shown), file.bytes);
+    if (!file) return;
+    save(nameOf(shown), file.bytes);
+    file.saved = file.bytes;
   }
 
   /** Changed files in their folders, not compressed. */
   downloadAll(): void {
-    const changed = this.page.workspace.changed.map(({ path, bytes }) => [path, bytes] as const);
+    const { changed: files } = this.page.workspace;
+    const changed = files.map(({ path, bytes }) => [path, bytes] as const);
     save('lists.zip', zipSync(Object.fromEntries(changed), { level: 0 }), 'application/zip');
+    for (const file of files) file.saved = file.bytes;
   }
 
   async compile(): Promise<void> {

@@ -1,39 +1,92 @@
 // Buttons, menus, drop, language and theme.
-import { byId, element } from './elements';
-import { chosen, dropped, sample, type Incoming } from './incoming';
+import { button, byId, element } from './elements';
+import { chosen, dropped, type Incoming } from './incoming';
+import type { Lookup } from './lookup';
 import type { Page } from './page';
+import { isOneFile, textOfPart } from './parts';
 import { say, setLanguage, type Key, type Language } from './texts';
+import { showSamples } from './welcome';
 
-const samples: [string, string][] = [
-  ['typing', 'mistakes/typing.lis'],
-  ['unsuitable', 'mistakes/unsuitable.lis'],
-  ['mill', 'mill'],
-  ['rack', 'rack'],
-  ['controller', 'controller'],
-  ['controller-project', 'controller-project'],
-];
+/** What the browser remembers of this page; nothing where it may not. */
+const memory = {
+  read(name: string): string | null {
+    try {
+      return localStorage.getItem(`axisc.${name}`);
+    } catch {
+      return null;
+    }
+  },
+  write(name: string, value: string): void {
+    try {
+      localStorage.setItem(`axisc.${name}`, value);
+    } catch {
+      // Private windows and some policies refuse.
+    }
+  },
+};
+
+const licences = ['LICENSE.txt', 'NOTICE.txt', 'third-party-licences.txt'];
 
 export class Controls {
-  constructor(private readonly page: Page) {}
+  constructor(
+    private readonly page: Page,
+    private readonly lookup: Lookup,
+  ) {}
 
   connect(): void {
-    const language: Language = navigator.language.startsWith('de') ? 'de' : 'en';
+    const language = (memory.read('language') ?? (navigator.language.startsWith('de') ? 'de' : 'en')) as Language;
     byId<HTMLSelectElement>('language').value = language;
     this.speak(language);
-    this.dress(matchMedia('(prefers-color-scheme: dark)').matches);
+    this.dress(memory.read('theme') ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
     this.connectFiles();
     byId('language').addEventListener('change', () => {
-      this.speak(byId<HTMLSelectElement>('language').value as Language);
+      const chosenOne = byId<HTMLSelectElement>('language').value as Language;
+      memory.write('language', chosenOne);
+      this.speak(chosenOne);
       this.page.again();
     });
-    byId('theme').addEventListener('click', () => this.dress(document.documentElement.dataset['theme'] !== 'dark'));
-    byId('cycle-time').addEventListener('change', () => this.page.again());
+    byId('theme').addEventListener('click', () => {
+      const theme = document.documentElement.dataset['theme'] === 'dark' ? 'light' : 'dark';
+      memory.write('theme', theme);
+      this.dress(theme);
+      this.page.dress();
+    });
+    byId('cycle-time').addEventListener('change', () => this.time());
     byId('new').addEventListener('click', () => this.page.begun(''));
+    for (const id of ['home', 'other']) byId(id).addEventListener('click', () => this.turn());
     document.addEventListener('paste', (event) => {
       const text = event.clipboardData?.getData('text/plain') ?? '';
       const isElsewhere = event.target instanceof Element && event.target.closest('.cm-editor, input') === null;
       if (isElsewhere && text !== '') this.page.begun(text);
     });
+    addEventListener('beforeunload', (event) => {
+      if (this.page.workspace.unsaved.length > 0) event.preventDefault();
+    });
+  }
+
+  /** The start page, or back from it. */
+  private turn(): void {
+    if (document.body.classList.contains('starting')) return;
+    const isStarting = byId('start').hidden !== false;
+    byId('start').hidden = !isStarting;
+    byId('example').hidden = isStarting;
+    for (const id of ['verdict', 'head']) byId(id).hidden = isStarting;
+    document.querySelector('main')?.toggleAttribute('hidden', isStarting);
+    byId('other').textContent = isStarting ? say('back', { file: this.page.shown.replace(/^.*\//, '') }) : say('other');
+  }
+
+  private time(): void {
+    const field = byId<HTMLInputElement>('cycle-time');
+    const text = field.value.trim().replace(',', '.');
+    const isTime = /^\d+(\.\d+)?\s*(us|µs|ms|s)?$/.test(text) && Number.parseFloat(text) > 0;
+    field.setCustomValidity(isTime ? '' : say('badCycleTime'));
+    field.setAttribute('aria-invalid', String(!isTime));
+    if (!isTime) {
+      field.reportValidity();
+      return;
+    }
+    this.page.cycleTime = text.replace(/\s/g, '').replace('µ', 'u');
+    this.page.again();
   }
 
   private connectFiles(): void {
@@ -45,11 +98,6 @@ export class Controls {
         field.value = '';
       });
     }
-    const menu = byId<HTMLSelectElement>('samples');
-    menu.addEventListener('change', () => {
-      if (menu.value !== '') this.take(sample(menu.value));
-      menu.value = '';
-    });
     document.addEventListener('dragover', (event) => {
       event.preventDefault();
       document.body.classList.add('dropping');
@@ -64,42 +112,45 @@ export class Controls {
     });
   }
 
+  private readonly failed = (failure: unknown): void =>
+    this.page.tell(failure instanceof RangeError ? say('tooLarge', { size: failure.message }) : say('failed', { reason: String(failure) }));
+
   private take(files: Promise<Incoming>): void {
-    files.then(
-      (incoming) => this.page.open(incoming),
-      (failure: unknown) =>
-        this.page.tell(
-          failure instanceof RangeError ? say('tooLarge', { size: failure.message }) : say('failed', { reason: String(failure) }),
-        ),
-    );
+    files.then((incoming) => this.page.open(incoming), this.failed);
   }
 
-  private dress(dark: boolean): void {
-    document.documentElement.dataset['theme'] = dark ? 'dark' : 'light';
+  private dress(theme: string): void {
+    document.documentElement.dataset['theme'] = theme;
   }
 
   private speak(language: Language): void {
     setLanguage(language);
     document.documentElement.lang = language;
     document.title = `axisc – ${say('title')}`;
-    byId('subtitle').textContent = say('drop');
     const texts: Record<string, Key> = {
-      open: 'open', 'open-folder': 'openFolder', new: 'new', 'fix-all': 'fixAll', align: 'align', compile: 'compile', share: 'share',
-      'tab-findings': 'findings', 'tab-machine': 'machine', 'tab-pictures': 'pictures', 'tab-report': 'report',
+      open: 'open', 'open-folder': 'openFolder', new: 'new', align: 'align', compile: 'compile', share: 'share', other: 'other',
+      'tab-findings': 'findings', 'tab-machine': 'machine', 'tab-pictures': 'pictures', 'tab-report': 'report', 'tab-text': 'text', 'tab-side': 'side',
     };
     for (const [id, key] of Object.entries(texts)) byId(id).textContent = say(key);
     for (const one of document.querySelectorAll<HTMLElement>('[data-text]')) {
       if (!one.closest('.tools')) one.textContent = say(one.dataset['text'] as Key);
     }
-    const labels: Record<string, Key> = { language: 'language', theme: 'theme', samples: 'samples' };
+    const labels: Record<string, Key> = { language: 'language', theme: 'theme', word: 'lookUp', side: 'side', filters: 'findings', home: 'home' };
     for (const [id, key] of Object.entries(labels)) {
-      byId(id).setAttribute('aria-label', say(key));
+      byId(id).setAttribute('aria-label', id === 'home' ? `axisc – ${say(key)}` : say(key));
       byId(id).title = say(key);
     }
-    byId('samples').replaceChildren(
-      element('option', { value: '' }, say('samples')),
-      ...samples.map(([value, text]) => element('option', { value }, text)),
+    byId<HTMLInputElement>('word').placeholder = say('lookUpHint');
+    showSamples(this.page, this.failed);
+    byId('about').replaceChildren(
+      ...(isOneFile ? [] : [element('a', { href: 'axisc.html', download: 'axisc.html' }, say('oneFile')), ' · ']),
+      button(say('licences'), () => void this.showLicences(), { class: 'link' }),
     );
     this.page.speak();
+  }
+
+  private async showLicences(): Promise<void> {
+    const texts = await Promise.all(licences.map(textOfPart));
+    this.lookup.open(texts.map((text) => `\`\`\`\n${text.trim()}\n\`\`\``).join('\n\n'));
   }
 }

@@ -1,5 +1,8 @@
 // The part of the page that its panels use.
+import type { Outcome } from '../interface/axisc.mjs';
+import { button, element } from './elements';
 import type { Program } from './program';
+import { say } from './texts';
 import type { Workspace } from './workspace';
 
 export interface Desk {
@@ -7,8 +10,20 @@ export interface Desk {
   readonly workspace: Workspace;
   /** The path of the file in the editor: questions are about its machine. */
   readonly shown: string;
+  /** The NC cycle time where no file says one; null where one does. */
+  readonly assumedTime: string | null;
   /** Shows a file. */
   choose(path: string): void;
-  /** Shows a sentence in the status line. */
+  /** Shows the findings. */
+  turn(panel: 'findings'): void;
+  /** Shows a sentence for a while. */
   tell(text: string): void;
+}
+
+/** Why there is no result; empties `place` where there is one. */
+export function showTrouble(place: HTMLElement, { status, result, error }: Outcome<string>, desk: Desk): void {
+  place.hidden = result !== '';
+  const text = error.replace(/^axisc: (error|Fehler): /, '').trim();
+  const trouble = status === 1 ? [say('errorsFirst'), ' ', button(say('seeFindings'), () => desk.turn('findings'))] : [text];
+  place.replaceChildren(...(result === '' ? [element('p', { class: 'trouble' }, ...trouble)] : []));
 }

@@ -1,4 +1,6 @@
 // Files from a drop, a file dialog, or the samples that come with the page.
+import { bytesOfPart } from './parts';
+
 export type Incoming = [string, Uint8Array][];
 
 const largest = 256 * 1024 * 1024;
@@ -56,9 +58,7 @@ export async function chosen(list: FileList): Promise<Incoming> {
 
 /** A sample's files are in one text: names, sizes, then the bytes. */
 export async function sample(name: string): Promise<Incoming> {
-  const answer = await fetch(`samples/${name}.bin`);
-  if (!answer.ok) throw new Error(name);
-  const bytes = new Uint8Array(await answer.arrayBuffer());
+  const bytes = await bytesOfPart(`samples/${name}.bin`);
   const size = new DataView(bytes.buffer).getUint32(0, true);
   const names = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + size))) as [string, number][];
   let at = 4 + size;

@@ -3,30 +3,39 @@
 import { element } from './elements';
 
 const picture = /^data:image\/svg\+xml[;,]/;
-const inline = /`([^`]+)`|\*\*(.+?)\*\*|!\[(.*?)\]\(([^)\s]+)\)|\[([^\]]+)\]\(([^)\s]+)\)/g;
+const inline = /`([^`]+)`|\*\*(.+?)\*\*|!\[(.*?)\]\(([^)\s]+)\)|\[([^\]]+)\]\(([^)\s]+)\)|\\([^\w\s])|(@)<!-- -->/g;
 
 export function spans(text: string): (Node | string)[] {
   const parts: (Node | string)[] = [];
   let at = 0;
   for (const found of text.matchAll(inline)) {
-    const [whole, code, strong, alternative, source, label] = found;
+    const [whole, code, strong, alternative, source, label, , escaped, sign] = found;
     parts.push(text.slice(at, found.index));
     if (code !== undefined) parts.push(element('code', {}, code));
     else if (strong !== undefined) parts.push(element('strong', {}, ...spans(strong)));
     else if (source !== undefined) parts.push(picture.test(source) ? element('img', { src: source, alt: alternative ?? '' }) : whole);
-    else parts.push(label ?? whole);
+    else parts.push(label ?? escaped ?? sign ?? whole);
     at = found.index + whole.length;
   }
   return [...parts, text.slice(at)];
 }
 
 const isRow = (line: string): boolean => /^\|.*\|\s*$/.test(line);
-const cells = (line: string): string[] => line.trim().slice(1, -1).split('|').map((cell) => cell.trim());
+const cells = (line: string): string[] =>
+  line
+    .trim()
+    .slice(1, -1)
+    .split(/(?<!\\)\|/)
+    .map((cell) => cell.trim().replaceAll('\\|', '|'));
 
+/** Numbers, which the second row says, are on the right. */
 function table(rows: string[]): HTMLElement {
-  const [head, ...body] = rows.filter((row) => !/^\|[\s:|-]+\|\s*$/.test(row));
-  const row = (line: string, cell: 'th' | 'td'): HTMLElement => element('tr', {}, ...cells(line).map((text) => element(cell, {}, ...spans(text))));
-  return element('table', {}, element('thead', {}, row(head ?? '||', 'th')), element('tbody', {}, ...body.map((line) => row(line, 'td'))));
+  const isRule = (row: string): boolean => /^\|[\s:|-]+\|\s*$/.test(row);
+  const [head, ...body] = rows.filter((row) => !isRule(row));
+  const isNumber = cells(rows.find(isRule) ?? '||').map((cell) => cell.endsWith(':'));
+  const row = (line: string, cell: 'th' | 'td'): HTMLElement =>
+    element('tr', {}, ...cells(line).map((text, i) => element(cell, isNumber[i] ? { class: 'number' } : {}, ...spans(text))));
+  return element('table', { tabindex: '0' }, element('thead', {}, row(head ?? '||', 'th')), element('tbody', {}, ...body.map((line) => row(line, 'td'))));
 }
 
 /** The lines from `at` on for which `belongs` holds. */

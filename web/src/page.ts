@@ -1,82 +1,134 @@
 // The open files, and the program's answers about them.
 import { Checks, reasonOf } from './checks';
+import { repairedBy } from './edits';
 import { Editor } from './editor';
 import { byId } from './elements';
 import type { Decoded } from './encoding';
-import { countsOf, findingsIn, showFindings, type Finding } from './findings';
-import { firstFiles } from './first';
+import { factsOf, machinesAmong, noFacts, type Facts } from './facts';
+import { isRecording, showFiles } from './files';
+import { findingsIn, showFilters, showFindings, type Actions, type Finding, type Severity } from './findings';
 import type { Incoming } from './incoming';
-import { fromFragment } from './link';
-import { Outputs } from './outputs';
-import { Program, type Changed, type Started, type Timed } from './program';
+import { Outputs, type Panel } from './outputs';
+import type { Parts } from './parts';
+import { Program, type Changed, type Timed } from './program';
 import { Server } from './server';
 import { currentLanguage, say } from './texts';
+import { showVerdict } from './verdict';
 import { Workspace } from './workspace';
+
+const pause = 200;  // ms without a check before the machine is asked for
+
+export interface Opening {
+  isSample?: boolean;
+  /** Kept on the start page. */
+  isExample?: boolean;
+  /** Compared at once. */
+  recording?: string;
+}
 
 export class Page {
   readonly program: Program;
   workspace = new Workspace();
   shown = '';
   decoded: Decoded | null = null;
+  cycleTime = '1ms';
+  findings: Finding[] = [];
   private readonly server: Server;
   private readonly editor: Editor;
   private readonly outputs: Outputs;
-  private findings: Finding[] = [];
+  private facts: Facts = noFacts;
+  private machines: string[] = [];
+  private checkedFiles = 0;
+  private safe = 0;
+  private severity: Severity | null = null;
   private isChosen = false;
+  private describing = 0;
+  private recording: string | undefined;
+  private toldUntil = 0;
   private readonly checks = new Checks(
     () => this.checkOnce(),
     (failure) => this.tell(say('failed', { reason: reasonOf(failure) })),
   );
+  get assumedTime(): string | null {
+    return this.facts.cycleTime ? null : this.cycleTime;
+  }
 
-  constructor(started: Started) {
-    this.program = new Program(started, () => ({ language: currentLanguage(), cycle_time: this.cycleTime }));
+  readonly actions: Actions = {
+    go: (finding) => this.go(finding),
+    fix: (findings) => this.fix(findings),
+    explain: (code) => void this.explain(code),
+  };
+
+  constructor(
+    parts: Parts,
+    private readonly open_: (text: string) => void,
+  ) {
+    this.program = new Program(parts, () => ({ language: currentLanguage(), cycle_time: this.cycleTime }));
     this.server = new Server(this.program, () => this.decoded && { path: this.shown, text: this.decoded.text });
-    const events = { changed: (text: string) => this.edited(text), fix: (finding: Finding) => this.fix(finding) };
+    const events = { changed: (text: string) => this.edited(text), fix: (finding: Finding) => this.fix([finding]) };
     this.editor = new Editor(byId('editor'), events, this.server);
     this.outputs = new Outputs(this);
+    byId('machines').addEventListener('change', () => this.choose(byId<HTMLSelectElement>('machines').value, 'machine'));
   }
 
-  /** Where no file says one. */
-  get cycleTime(): string {
-    return byId<HTMLInputElement>('cycle-time').value.trim();
-  }
-
-  async begin(): Promise<void> {
-    this.tell(say('loading'));
-    const shared = await fromFragment(location.hash);
-    if (shared) byId<HTMLInputElement>('cycle-time').value = shared.cycleTime;
-    this.open(firstFiles(shared));
-    await this.program.ready.catch((failure: unknown) => this.tell(say('failed', { reason: reasonOf(failure) })));
-  }
-
-  open(files: Incoming): void {
+  /** New files take the place of those before; recordings are added to them. */
+  open(files: Incoming, { isSample = false, isExample = false, recording }: Opening = {}): void {
     if (files.length === 0) return;
+    if (files.every(([path]) => isRecording(path))) {
+      if (document.body.classList.contains('starting')) this.tell(say('listsFirst'));
+      else this.add(files);
+      return;
+    }
+    const unsaved = this.workspace.unsaved.map(({ path }) => path);
+    if (unsaved.length > 0 && !confirm(say('unsaved', { files: unsaved.join(', ') }))) return;
+    document.body.classList.toggle('starting', isExample);
+    for (const [id, isShown] of [['start', isExample], ['verdict', !isExample], ['head', !isExample], ['other', !isExample]] as const) byId(id).hidden = !isShown;
+    document.querySelector('main')?.toggleAttribute('hidden', isExample);
+    byId('sample-mark').hidden = !isSample;
+    byId('other').textContent = say('other');
     this.program.interrupt();
     const old = this.workspace.paths.flatMap((path) => [path, `/before/${path}`]);
     this.workspace = new Workspace(files);
-    this.program.update(
-      files.flatMap(([path, bytes]) => [[path, bytes], [`/before/${path}`, bytes]] as [string, Uint8Array][]),
-      old,
-    );
+    this.program.update(files.flatMap(([path, bytes]) => [[path, bytes], [`/before/${path}`, bytes]] as [string, Uint8Array][]), old);
     this.findings = [];
+    this.safe = 0;
+    this.facts = noFacts;
+    this.machines = [];
+    this.severity = null;
     this.editor.forget();
     this.isChosen = false;
+    this.recording = recording;
     const paths = this.workspace.paths;
+    this.outputs.choose('findings');
     this.show(paths.find((path) => path.endsWith('.lis')) ?? (paths[0] as string));
     void this.check(true);
+  }
+
+  private add(files: Incoming): void {
+    for (const [path, bytes] of files) this.workspace.files.set(path, { path, original: bytes, bytes, saved: bytes });
+    this.program.update(files);
+    this.render();
+    this.outputs.compare(files[0]?.[0] ?? '');
   }
 
   /** An empty list, to type or to paste into. */
   begun(text: string): void {
     this.open([['x.lis', new TextEncoder().encode(text)]]);
+    this.outputs.choose('text');
     this.editor.focus();
   }
 
   /** Shows a requested file. */
-  choose(path: string): void {
+  choose(path: string, panel: Panel = 'text'): void {
     this.isChosen = true;
     this.show(path);
-    this.outputs.refresh();
+    if (panel !== 'text' || this.outputs.panel !== 'pictures') this.outputs.choose(panel);
+    else this.outputs.refresh();
+    this.describeSoon();
+  }
+
+  turn(panel: Panel): void {
+    this.outputs.choose(panel);
   }
 
   private show(path: string): void {
@@ -98,65 +150,123 @@ export class Page {
 
   /** Checks the open files; resolves when the findings match their present state. */
   check(isNew: boolean): Promise<void> {
-    if (isNew) this.tell(say('checking'));
+    if (isNew) showVerdict({ words: say('checking') });
     return this.checks.again();
   }
 
   private async checkOnce(): Promise<Timed<string> | null> {
     const workspace = this.workspace;
+    const isFirst = !this.isChosen;
     const outcome = await this.program.check(workspace.whole);
     if (workspace !== this.workspace) return null;
-    this.findings = outcome.result === '' ? [] : findingsIn(outcome.result);
-    const worst = this.findings.find((finding) => finding.severity === 'error') ?? this.findings[0];
-    if (!this.isChosen && worst && this.workspace.files.has(worst.file) && worst.file !== this.shown) this.show(worst.file);
+    const { findings, files } = outcome.result === '' ? { findings: [], files: 0 } : findingsIn(outcome.result);
+    this.findings = findings;
+    this.checkedFiles = files;
+    const worst = findings.find((finding) => finding.severity === 'error') ?? findings[0];
+    if (!this.isChosen && worst && workspace.files.has(worst.file) && worst.file !== this.shown) this.show(worst.file);
     else this.render();
     this.isChosen = true;
-    if (outcome.status === 2) this.tell(outcome.error);
+    if (outcome.status !== 0 && outcome.status !== 1) this.tell(outcome.error);
     this.outputs.refresh();
+    if (isFirst) void this.survey(workspace, findings.length === 0).catch(() => undefined);
+    else this.describeSoon();
     return outcome;
   }
 
-  tell(text: string): void {
-    byId('counts').textContent = text.trim();
+  /** Looks for the machines of new files; where nothing is wrong, the machine comes first. */
+  private async survey(workspace: Workspace, isSound: boolean): Promise<void> {
+    this.machines = workspace.files.size > 1 ? await machinesAmong(this.program, workspace.paths) : [];
+    const [first] = this.machines;
+    if (workspace !== this.workspace) return;
+    if (this.recording !== undefined) {
+      await this.describe();
+      this.outputs.compare(this.recording);
+      return;
+    }
+    if (first !== undefined && isSound && this.outputs.panel === 'findings') this.choose(first, 'machine');
+    else await this.describe();
   }
 
-  /** A page of Markdown, or the output of a command, over the others. */
-  async explain(code: string): Promise<void> {
-    const outcome = await this.program.answer({ question: 'explain', word: code, format: 'markdown' });
-    this.outputs.open(outcome.result || outcome.error);
+  private describeSoon(): void {
+    clearTimeout(this.describing);
+    this.describing = window.setTimeout(() => void this.describe().catch(() => undefined), pause);
+  }
+
+  private async describe(): Promise<void> {
+    const { workspace, shown, findings } = this;
+    const repaired = findings.some(({ fix }) => fix) ? (await this.program.fix(workspace.whole)).result : [];
+    if (workspace === this.workspace && findings === this.findings) this.safe = repairedBy(repaired, findings, workspace);
+    const facts = await factsOf(this.program, shown, (path) => workspace.text(path)?.text ?? '');
+    if (workspace !== this.workspace || shown !== this.shown) return;
+    this.facts = facts;
+    this.renderFacts();
+  }
+
+  /** For a while; what could not be done stays longer. */
+  tell(text: string): void {
+    const told = byId('told');
+    told.textContent = text.trim();
+    told.hidden = text.trim() === '';
+    clearTimeout(this.toldUntil);
+    this.toldUntil = window.setTimeout(() => (told.hidden = true), 4000 + 60 * text.length);
+  }
+
+  /** What the program knows of a code, a message, a parameter or a word. */
+  async explain(word: string): Promise<void> {
+    const outcome = await this.program.answer({ question: 'explain', word, format: 'markdown' });
+    this.open_(outcome.result || outcome.error.replace(/^axisc: (error|Fehler): /, ''));
   }
 
   said(text: string): void {
-    this.outputs.open(`\`\`\`\n${text.trim()}\n\`\`\``);
+    this.open_(`\`\`\`\n${text.trim()}\n\`\`\``);
   }
 
-  private render(): void {
+  render(): void {
     byId('file-name').textContent = byId('file-name').title = this.shown;
     byId('download').textContent = say('download', { file: this.shown.slice(this.shown.lastIndexOf('/') + 1) });
     byId('hidden-text').textContent = say('notShown', { file: this.shown });
     const changed = this.workspace.changed.length;
     byId('download-all').hidden = changed < 2;
     byId('download-all').textContent = say('downloadAll', { files: changed });
-    showFindings(byId('finding-list'), this.findings, {
-      go: (finding) => this.go(finding),
-      fix: (finding) => this.fix(finding),
-      explain: (code) => void this.explain(code),
-    });
-    this.tell(countsOf(this.findings));
+    byId('before-line').classList.toggle('unchanged', changed === 0);
+    this.renderFindings();
     this.editor.show(this.findings.filter((finding) => finding.file === this.shown));
-    this.outputs.listFiles(this.findings, this.shown);
+    this.renderFacts();
+  }
+
+  private renderFindings(): void {
+    const { findings } = this;
+    if (this.severity && !findings.some(({ severity }) => severity === this.severity)) this.severity = null;
+    showFilters(byId('filters'), findings, this.severity, (severity) => {
+      this.severity = severity;
+      this.renderFindings();
+    });
+    byId('no-findings').hidden = findings.length > 0;
+    const shown = findings.filter(({ severity }) => this.severity === null || severity === this.severity);
+    showFindings(byId(document.body.classList.contains('starting') ? 'example-findings' : 'finding-list'), shown, this.actions);
+  }
+
+  private renderFacts(): void {
+    const { findings, facts, checkedFiles } = this;
+    showVerdict({ findings, facts, files: checkedFiles, safe: this.safe });
+    const line = byId('machines-line');
+    line.hidden = this.machines.length < 2;
+    const menu = byId<HTMLSelectElement>('machines');
+    menu.replaceChildren(...this.machines.map((path) => new Option(path, path, false, path === facts.path)));
+    showFiles(byId('file-list'), this.workspace, facts, findings, this.shown, (path) => this.choose(path));
   }
 
   private go(finding: Finding): void {
-    if (finding.file !== this.shown && this.workspace.files.has(finding.file)) this.choose(finding.file);
+    if (this.workspace.files.has(finding.file)) this.choose(finding.file);
     const { line, column, end_line, end_column } = finding;
     if (!line || !column || !end_line || !end_column) return;
     this.editor.go({ file: finding.file, line, column, end_line, end_column });
   }
 
-  /** The edits of one finding: in the editor those of the shown file, in other files at once. */
-  private fix(finding: Finding): void {
-    const edits = finding.fix?.edits ?? [];
+  /** The edits of findings: in the editor those of the shown file, in other files at once. */
+  private fix(findings: readonly Finding[]): void {
+    const all = findings.flatMap((finding) => finding.fix?.edits ?? []);
+    const edits = [...new Map(all.map((edit) => [JSON.stringify(edit), edit])).values()];
     const here = edits.some((edit) => edit.file === this.shown) ? this.shown : edits[0]?.file;
     if (here === undefined) return;
     if (here !== this.shown) this.choose(here);
@@ -182,6 +292,11 @@ export class Page {
   /** In another language. */
   speak(): void {
     this.outputs.speak();
+  }
+
+  /** In other colours. */
+  dress(): void {
+    if (this.outputs.panel === 'report') this.outputs.refresh();
   }
 
   /** After a change of language or cycle time. */

@@ -13,16 +13,17 @@ export class Picture {
   private x = 0;
   private y = 0;
 
-  constructor(parent: HTMLElement) {
+  constructor(
+    parent: HTMLElement,
+    private readonly tools: HTMLElement,
+  ) {
     this.frame = element('div', { class: 'frame', tabindex: '0', role: 'group' }, this.image);
-    const tools = element(
-      'div',
-      { class: 'tools' },
+    tools.append(
       button('+', () => this.zoom(1.5), { 'data-text': 'larger' }),
       button('−', () => this.zoom(1 / 1.5), { 'data-text': 'smaller' }),
       button('1:1', () => this.reset(), { 'data-text': 'whole' }),
     );
-    parent.append(tools, this.frame);
+    parent.append(this.frame);
     this.frame.addEventListener('keydown', (event) => this.key(event));
     this.frame.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     this.frame.addEventListener('pointerdown', (event) => this.drag(event));
@@ -30,7 +31,7 @@ export class Picture {
   }
 
   speak(): void {
-    for (const tool of this.frame.parentElement?.querySelectorAll<HTMLElement>('[data-text]') ?? []) {
+    for (const tool of this.tools.querySelectorAll<HTMLElement>('[data-text]')) {
       const text = say(tool.dataset['text'] as 'larger' | 'smaller' | 'whole');
       tool.title = text;
       tool.setAttribute('aria-label', `${tool.textContent} ${text}`);

@@ -1,12 +1,15 @@
 // The panel of pictures: the kind, its subject, and the picture itself.
+import type { Outcome } from '../interface/axisc.mjs';
+import { showTrouble, type Desk } from './desk';
 import { byId, element, save } from './elements';
-import type { Desk } from './desk';
+import { isProgram, isRecording } from './files';
+import { markdown } from './markdown';
 import { Picture } from './picture';
 import { say } from './texts';
 
 /** The subject of a kind, in addition to the machine. */
 interface Kind {
-  of: 'axes' | 'contour' | 'program' | 'plant';
+  of: 'axes' | 'contour' | 'program' | 'plant' | 'recording';
 }
 
 export const kinds = {
@@ -19,6 +22,7 @@ export const kinds = {
   robustness: { of: 'axes' },
   path: { of: 'program' },
   plant: { of: 'plant' },
+  compare: { of: 'recording' },
 } as const satisfies Record<string, Kind>;
 type KindName = keyof typeof kinds;
 
@@ -29,13 +33,15 @@ function fill(menu: HTMLSelectElement, choices: readonly (readonly [string, stri
   if (choices.some(([value]) => value === wanted)) menu.value = wanted;
 }
 
+const isPlant = (path: string): boolean => /\.json$/i.test(path) && !/(^|\/)(machine|axisc)\.json$/i.test(path);
 const same = (name: string): [string, string] => [name, name];
 
 export class Pictures {
-  private readonly picture = new Picture(byId('picture'));
+  private readonly picture = new Picture(byId('picture'), byId('tools'));
   private readonly kind = byId<HTMLSelectElement>('kind');
   private readonly axis = byId<HTMLSelectElement>('axis');
   private readonly program = byId<HTMLSelectElement>('program');
+  private readonly recording = byId<HTMLSelectElement>('recording');
   private readonly plant = byId<HTMLSelectElement>('plant');
   private readonly before = byId<HTMLInputElement>('before');
   private svg = '';
@@ -45,31 +51,57 @@ export class Pictures {
     refresh: () => void,
   ) {
     byId('save-picture').addEventListener('click', () => save('picture.svg', this.svg, 'image/svg+xml'));
-    for (const id of ['kind', 'axis', 'program', 'plant', 'travel', 'feed', 'before']) byId(id).addEventListener('change', refresh);
+    for (const id of ['kind', 'axis', 'program', 'recording', 'plant', 'travel', 'feed', 'before']) byId(id).addEventListener('change', refresh);
   }
 
   speak(): void {
     this.picture.speak();
-    fill(this.kind, (Object.keys(kinds) as KindName[]).map((name) => [name, say(name)] as const));
+    this.fillKinds();
+  }
+
+  /** Chooses a recording. */
+  compare(path: string): void {
+    this.fillKinds();
+    this.kind.value = 'compare';
+    fill(this.recording, [same(path)]);
+  }
+
+  /** Kinds without a subject among the files are left out. */
+  private fillKinds(): void {
+    const { paths } = this.page.workspace;
+    const isThere = { axes: true, contour: true, program: paths.some(isProgram), plant: paths.some(isPlant), recording: paths.some(isRecording) };
+    const names = (Object.keys(kinds) as KindName[]).filter((name) => isThere[kinds[name].of]);
+    fill(this.kind, names.map((name) => [name, say(name)] as const));
   }
 
   async draw(isLast: () => boolean): Promise<void> {
+    this.fillKinds();
     const name = this.kind.value as KindName;
     const { of } = kinds[name];
     const axes = await this.axes();
     const { result: machine } = await this.page.program.answer({ question: 'machine_of', input: this.page.shown });
     if (!isLast()) return;
     this.offer(of, axes, machine);
-    const question = { question: 'picture', kind: name, input: this.page.shown, ...this.subject(of) };
-    const outcome = await this.page.program.answer(question);
+    const outcome = await (of === 'recording' ? this.compared(machine, axes, isLast) : this.page.program.answer({ question: 'picture', kind: name, input: this.page.shown, ...this.subject(of) }));
     if (!isLast()) return;
     this.svg = outcome.result;
-    const trouble = byId('picture-trouble');
-    trouble.hidden = this.svg !== '';
-    trouble.textContent = outcome.error.trim();
+    if (of !== 'recording') byId('picture-text').replaceChildren();
+    showTrouble(byId('picture-trouble'), outcome, this.page);
+    byId('picture-trouble').hidden = this.svg !== '';
+    byId('picture').hidden = this.svg === '';
     byId<HTMLButtonElement>('save-picture').disabled = this.svg === '';
     if (this.svg === '') this.picture.clear();
     else this.picture.show(this.svg, say(name));
+  }
+
+  /** The picture of a comparison with a recording; its words go below it. */
+  private async compared(machine: string, axes: readonly string[], isLast: () => boolean): Promise<Outcome<string>> {
+    const { program, assumedTime } = this.page;
+    const options = [...(axes.length > 1 ? ['--axis', this.axis.value] : []), ...(assumedTime ? ['--cycle-time', assumedTime] : [])];
+    const answer = await program.run('compare', machine, this.recording.value, '--format', 'markdown', ...options);
+    if (isLast()) byId('picture-text').replaceChildren(markdown(answer.result));
+    if (answer.result === '') return answer;
+    return program.run('plot', machine, '--kind', 'compare', '--recording', this.recording.value, '--format', 'svg', '-o', '-', ...options);
   }
 
   private async axes(): Promise<string[]> {
@@ -82,16 +114,18 @@ export class Pictures {
   private offer(of: Kind['of'], axes: readonly string[], machine: string): void {
     const { paths } = this.page.workspace;
     // One axis moves with its plant; all may be drawn over one another.
-    fill(this.axis, [...(of === 'plant' ? [] : [['', say('everyAxis')] as const]), ...axes.map(same)]);
-    fill(this.program, paths.filter((path) => /\.nc$/i.test(path)).map(same));
-    fill(this.plant, paths.filter((path) => /\.json$/i.test(path) && path !== machine).map(same));
+    fill(this.axis, [...(of === 'plant' || of === 'recording' ? [] : [['', say('everyAxis')] as const]), ...axes.map(same)]);
+    fill(this.program, paths.filter(isProgram).map(same));
+    fill(this.recording, paths.filter(isRecording).map(same));
+    fill(this.plant, paths.filter((path) => isPlant(path) && path !== machine).map(same));
     byId('axis-line').hidden = of === 'contour' || of === 'program';
     byId('program-line').hidden = of !== 'program';
+    byId('recording-line').hidden = of !== 'recording';
     for (const id of ['plant-line', 'travel-line', 'feed-line']) byId(id).hidden = of !== 'plant';
-    byId('before-line').hidden = of === 'program' || of === 'plant';
+    byId('before-line').hidden = of === 'program' || of === 'plant' || of === 'recording';
   }
 
-  private subject(of: Kind['of']): Record<string, string | undefined> {
+  private subject(of: Exclude<Kind['of'], 'recording'>): Record<string, string | undefined> {
     const named = (value: string): string | undefined => (value === '' ? undefined : value);
     if (of === 'program') return { program: named(this.program.value) };
     if (of === 'plant') return { plant: named(this.plant.value), move: named(this.move) };

@@ -1,10 +1,13 @@
 // The program in its worker, with the files that the page holds.
 import type { Options, Outcome } from '../interface/axisc.mjs';
+import { startWorker, type Parts } from './parts';
 
-/** What is asked of the library (axisc.h). */
+/** What is asked of the library (axisc.h); `run` is a command of the program. */
 export type Call =
   | { name: 'check' | 'fix' | 'compile'; path: string }
-  | { name: 'answer'; question: Record<string, string | undefined> };
+  | { name: 'answer'; question: Record<string, string | undefined> }
+  | { name: 'inspect'; path: string }
+  | { name: 'run'; words: string[] };
 
 /** A request to the language server about a list. */
 export interface Question {
@@ -21,27 +24,21 @@ export type Changed = [string, Uint8Array][];
 
 /** From the page to the worker. */
 export type Request =
+  | { kind: 'module'; module: WebAssembly.Module }
   | { kind: 'files'; set: [string, Uint8Array][]; removed: string[] }
   | { kind: 'call'; id: number; options: Options; call: Call }
   | { kind: 'ask'; id: number; options: Options; question: Question };
 
 /** And back. */
 export type Answer =
-  | { kind: 'ready' }
   | { kind: 'done'; id: number; outcome: Outcome<unknown>; time: number }
   | { kind: 'told'; id: number; result: unknown }
-  | { kind: 'failed'; id: number | null; reason: string };
-
-/** The worker, as src/start.ts leaves it. */
-export interface Started {
-  worker: Worker;
-  early: MessageEvent<Answer>[];
-}
+  | { kind: 'failed'; id: number; reason: string };
 
 /** With the milliseconds in the worker. */
 export type Timed<Result> = Outcome<Result> & { time: number };
 
-type Settled = Exclude<Answer, { kind: 'ready' | 'failed' }>;
+type Settled = Exclude<Answer, { kind: 'failed' }>;
 
 interface Waiting {
   resolve: (answer: Settled) => void;
@@ -59,37 +56,33 @@ export class Program {
   private begun = 0;
   private readonly waiting = new Map<number, Waiting>();
   private last = 0;
-  ready: Promise<void>;
+  /** Why there is no program. */
+  private failure: Error | null = null;
 
   constructor(
-    { worker, early }: Started,
+    private readonly parts: Parts,
     private readonly options: () => Options,
   ) {
-    this.worker = worker;
-    this.ready = this.listen(early);
+    this.worker = this.listen(parts.worker);
+    parts.module.catch((reason: Error) => this.abandon((this.failure = reason)));
   }
 
-  private listen(early: MessageEvent<Answer>[]): Promise<void> {
-    return new Promise((resolve, reject) => {
-      const take = ({ data: answer }: MessageEvent<Answer>): void => {
-        if (answer.kind === 'ready') resolve();
-        else if (answer.kind === 'failed' && answer.id === null) reject(new Error(answer.reason));
-        else this.settle(answer);
-      };
-      this.worker.onerror = (event) => reject(new Error(event.message || 'worker.js'));
-      this.worker.onmessage = take;
-      early.forEach(take);
-    });
+  private listen(worker: Worker): Worker {
+    worker.onmessage = ({ data }: MessageEvent<Answer>) => this.settle(data);
+    worker.onerror = (event) => this.abandon(new Error(event.message || 'worker.js'));
+    return worker;
   }
 
-  private settle(answer: Exclude<Answer, { kind: 'ready' }>): void {
-    const waiting = this.waiting.get(answer.id ?? 0);
-    this.waiting.delete(answer.id ?? 0);
-    if (answer.kind === 'failed') {
-      waiting?.reject(new Error(answer.reason));
-      return;
-    }
-    waiting?.resolve(answer);
+  private settle(answer: Answer): void {
+    const waiting = this.waiting.get(answer.id);
+    this.waiting.delete(answer.id);
+    if (answer.kind === 'failed') waiting?.reject(new Error(answer.reason));
+    else waiting?.resolve(answer);
+  }
+
+  private abandon(reason: Error): void {
+    for (const { reject } of this.waiting.values()) reject(reason);
+    this.waiting.clear();
   }
 
   private send(request: Request): void {
@@ -107,10 +100,8 @@ export class Program {
   interrupt(): void {
     if (this.waiting.size === 0 || performance.now() - this.begun < patience) return;
     this.worker.terminate();
-    for (const { reject } of this.waiting.values()) reject(new Interrupted());
-    this.waiting.clear();
-    this.worker = new Worker('worker.js');
-    this.ready = this.listen([]);
+    this.abandon(new Interrupted());
+    this.worker = this.listen(startWorker(this.parts));
     this.send({ kind: 'files', set: [...this.files], removed: [] });
   }
 
@@ -132,6 +123,16 @@ export class Program {
     return this.call({ name: 'answer', question });
   }
 
+  /** What is in the image of a machine, as JSON. */
+  inspect(path: string): Promise<Timed<string>> {
+    return this.call({ name: 'inspect', path });
+  }
+
+  /** A command of the program, on the files of the page; what it prints. */
+  run(...words: string[]): Promise<Timed<string>> {
+    return this.call({ name: 'run', words });
+  }
+
   private async call<Result>(call: Call): Promise<Timed<Result>> {
     const answer = await this.request((id) => ({ kind: 'call', id, options: this.options(), call }));
     if (answer.kind !== 'done') throw new Error(answer.kind);
@@ -146,6 +147,7 @@ export class Program {
   }
 
   private request(made: (id: number) => Request): Promise<Settled> {
+    if (this.failure) return Promise.reject(this.failure);
     if (this.waiting.size === 0) this.begun = performance.now();
     const id = ++this.last;
     return new Promise((resolve, reject) => {

@@ -1,8 +1,18 @@
-// Starts the worker before the page's own script is loaded; its messages are kept until then.
-import type { Started } from './program';
+// Runs before the page's own script: the module is compiled meanwhile.
+import { isOneFile, load, textOfPart, type Parts } from './parts';
 
-if (location.protocol !== 'file:') {
-  const started: Started = { worker: new Worker('worker.js'), early: [] };
-  started.worker.onmessage = (event) => void started.early.push(event);
-  (globalThis as { axisc?: Started }).axisc = started;
+declare global {
+  var axisc: Promise<Parts>;
+}
+
+globalThis.axisc = load();
+globalThis.axisc.catch(() => undefined);
+
+// The policy has the digest of this script.
+if (isOneFile) {
+  void textOfPart('page.js').then((text) => {
+    const script = document.createElement('script');
+    script.textContent = text;
+    document.body.append(script);
+  });
 }

@@ -3,8 +3,6 @@ import { Conversation } from './conversation';
 import { Instance } from './instance';
 import type { Answer, Request } from './program';
 
-declare function importScripts(...scripts: string[]): void;
-
 /** The memory that an instance may keep: a large file must not burden later requests. */
 const largest = 64 * 1024 * 1024;
 const files = new Map<string, Uint8Array>();
@@ -23,7 +21,7 @@ class Service {
     this.conversation = new Conversation(instance);
   }
 
-  do(request: Exclude<Request, { kind: 'files' }>): Answer {
+  do(request: Exclude<Request, { kind: 'files' | 'module' }>): Answer {
     const start = performance.now();
     for (const path of this.instance.update(files)) this.changed.add(path);
     if (request.kind === 'call') {
@@ -36,14 +34,10 @@ class Service {
   }
 }
 
-/** Handles a request, once the module is compiled. */
-async function begin(): Promise<(request: Request) => Promise<void>> {
-  const streamed = WebAssembly.compileStreaming(fetch('axisc.wasm'));
-  importScripts('axisc.js');
-  const compiled = await streamed;
+/** Handles a request, once the module is there. */
+function begin(compiled: WebAssembly.Module): (request: Exclude<Request, { kind: 'module' }>) => Promise<void> {
   const create = async (): Promise<Service> => new Service(await Instance.create(compiled));
   let service = create();
-  answer({ kind: 'ready' });
   return async (request) => {
     if (request.kind === 'files') {
       for (const path of request.removed) files.delete(path);
@@ -62,12 +56,11 @@ async function begin(): Promise<(request: Request) => Promise<void>> {
   };
 }
 
-// One after the other; requests that arrive while the module is compiled wait for it.
-const started = begin();
-let queue: Promise<void> = started.then(
-  () => undefined,
-  (failure: unknown) => answer({ kind: 'failed', id: null, reason: reason(failure) }),
-);
-self.onmessage = (event: MessageEvent<Request>) => {
-  queue = queue.then(async () => (await started)(event.data)).catch(() => undefined);
+// One after the other; all wait for the module.
+let ready: (module: WebAssembly.Module) => void;
+const handle = new Promise<WebAssembly.Module>((resolve) => (ready = resolve)).then(begin);
+let queue = Promise.resolve();
+self.onmessage = ({ data: request }: MessageEvent<Request>) => {
+  if (request.kind === 'module') ready(request.module);
+  else queue = queue.then(async () => (await handle)(request)).catch(() => undefined);
 };

@@ -7,6 +7,8 @@ export interface WorkFile {
   path: string;
   original: Uint8Array;
   bytes: Uint8Array;
+  /** What was saved last. */
+  saved: Uint8Array;
 }
 
 export const largestShown = 4 * 1024 * 1024;
@@ -14,7 +16,7 @@ export class Workspace {
   readonly files = new Map<string, WorkFile>();
 
   constructor(files: Iterable<[string, Uint8Array]> = []) {
-    for (const [path, bytes] of files) this.files.set(path, { path, original: bytes, bytes });
+    for (const [path, bytes] of files) this.files.set(path, { path, original: bytes, bytes, saved: bytes });
   }
 
   get paths(): string[] {
@@ -29,6 +31,15 @@ export class Workspace {
 
   get changed(): WorkFile[] {
     return [...this.files.values()].filter((file) => file.bytes !== file.original);
+  }
+
+  isChanged(path: string): boolean {
+    return this.changed.some((file) => file.path === path);
+  }
+
+  /** Files whose changes would be lost. */
+  get unsaved(): WorkFile[] {
+    return [...this.files.values()].filter((file) => file.bytes !== file.saved);
   }
 
   /** Null where the file is not text, or too long for an editor. */
