@@ -86,23 +86,24 @@ class CsvWriter {
       for (auto const& field : fields) {
         auto cell = text_of_cell(field.value);
         if (!is_for_programs(field.audience) || cell.empty()) continue;
-        auto const place = place_of(object + field.key);
+        auto const place = place_of(object + field.key + (field.member.empty() ? "" : "." + field.member));
         cells.resize(names_.size());
         cells[place] = std::move(cell);
       }
     };
-    auto const add_facts = [&](std::vector<Block> const& blocks, std::string const& object) {
+    auto const add_all = [&](auto const& self, std::vector<Block> const& blocks,
+                             std::string const& object) -> void {
       for (auto const& block : blocks) {
         if (auto const* const facts = std::get_if<Facts>(&block)) add(facts->fields, object);
+      }
+      for (auto const& block : blocks) {
+        auto const* const inner = std::get_if<Section>(&block);
+        if (inner != nullptr && !inner->key.empty()) self(self, inner->blocks, object + inner->key + ".");
       }
     };
     for (auto const& [array, field] : identity_) add({field}, {});
     add(section.identity, {});
-    add_facts(section.blocks, {});
-    for (auto const& block : section.blocks) {
-      auto const* const inner = std::get_if<Section>(&block);
-      if (inner != nullptr && !inner->key.empty()) add_facts(inner->blocks, inner->key + ".");
-    }
+    add_all(add_all, section.blocks, {});
     rows_.push_back(std::move(cells));
   }
   std::size_t place_of(std::string const& name) {

@@ -25,8 +25,7 @@ constexpr Sentence radial_max{"radial deviation F, max", "Radialabweichung F, ma
 constexpr Sentence radial_min{"radial deviation F, min", "Radialabweichung F, min"};
 constexpr Sentence hysteresis{"hysteresis", "Umkehrspanne"};
 constexpr Sentence cause{"cause", "Ursache"};
-constexpr Sentence size{"of G", "von G"};
-constexpr Sentence radius{"radius (of D)", "Radius (von D)"};
+constexpr Sentence radius{"radius", "Radius"};
 constexpr Sentence gain{"gain {u} - {v} [µm/m]", "Verstärkung {u} - {v} [µm/m]"};
 constexpr Sentence delay{"delay {u} - {v}", "Verzögerung {u} - {v}"};
 constexpr Sentence squareness{"squareness [µm/m]", "Rechtwinkligkeit [µm/m]"};
@@ -270,16 +269,16 @@ std::vector<Block> circle_blocks(CircularTest const& test, CircleCase const& one
     blocks.emplace_back(mapping_table(one.recorded->signals, one.recorded->mapping));
   }
   blocks.emplace_back(deviations_table(one));
+  blocks.emplace_back(causes_table(one));
+  auto filters = filters_table(one);
+  filters.audience = Audience::people;
+  if (!filters.rows.empty()) blocks.emplace_back(std::move(filters));
   if (test.tolerance_um) {
     blocks.emplace_back(Facts{{data("keeps_tolerance", test.keeps(one))}});
     blocks.emplace_back(Paragraph{Words(
         test.keeps(one) ? says::keeps : says::exceeds,
         {{"deviation", um(one.deviation())}, {"tolerance", exact(*test.tolerance_um, Unit::micrometre)}})});
   }
-  blocks.emplace_back(causes_table(one));
-  auto filters = filters_table(one);
-  filters.audience = Audience::people;
-  if (!filters.rows.empty()) blocks.emplace_back(std::move(filters));
   if (one.recorded) add_remarks(blocks, *one.recorded);
   add_remedies(blocks, one);
   return blocks;
@@ -299,7 +298,7 @@ Document circle_answer(CircularTest const& test) {
   return {.version = 1,
           .title = Words(says::title, {{"cycle_time", cycle_time}}),
           .blocks = {Facts{{data("cycle_time_us", cycle_time), data("tolerance_um", test.tolerance_um)}},
-                     std::move(circles), Paragraph{says::filters_are_on}, Paragraph{says::definitions}},
+                     Paragraph{says::filters_are_on}, Paragraph{says::definitions}, std::move(circles)},
           .csv_table = "circles"};
 }
 

@@ -64,7 +64,7 @@ constexpr Sentence crossed{
     "ein Kreuzterm von {angle} µm/m: eine aktive Kreuzkompensation oder gekoppelte Antriebe; "
     "Rechtwinkligkeit sehen die Messsysteme der Achsen nicht, ein Kreisformmessgerät schon (--external)"};
 constexpr Sentence loses{
-    "{axis} loses {size} where it reverses: mend the play, or set getriebe[].lose (P-AXIS-00103)",
+    "{axis} loses {size} where it reverses: eliminate the play, or set getriebe[].lose (P-AXIS-00103)",
     "{axis} verliert bei der Umkehr {size}: das Spiel beseitigen oder getriebe[].lose (P-AXIS-00103) setzen"};
 constexpr Sentence overcompensated{
     "{axis} gains {size} where it reverses: getriebe[].lose (P-AXIS-00103) is too large",

@@ -22,7 +22,6 @@ constexpr Sentence predicted_g03{"predicted, G03", "vorhergesagt, G03"};
 constexpr Sentence predicted_g02{"predicted, G02", "vorhergesagt, G02"};
 constexpr Sentence programmed{"programmed radius", "programmierter Radius"};
 constexpr Sentence tolerance{"tolerance", "Toleranz"};
-constexpr Sentence bar{"{cause}: {size} µm", "{cause}: {size} µm"};
 constexpr Sentence bars{"what each cause adds", "was jede Ursache beiträgt"};
 
 }  // namespace axisc::says
@@ -103,7 +102,7 @@ class CircularFigure {
     PolarPanel panel(one.predicted.radius, largest_deviation(one, test_.tolerance_um));
     auto const factor = format_rounded(panel.factor(), digits);
     if (is_one) figure_.title = say(says::circular_title, {{"circle", title}, {"factor", factor}});
-    panel.add_ring(0, say(says::programmed), {});
+    panel.add_ring(0, say(says::programmed));
     add_rings(panel, one);
     for (auto const sense : {Sense::counterclockwise, Sense::clockwise}) {
       bool const is_g03 = sense == Sense::counterclockwise;
@@ -143,7 +142,8 @@ class CircularFigure {
     for (double const sign : {-1.0, 1.0}) {
       double const at = test_.tolerance_um ? mean + sign * step : sign * step;
       panel.add_ring(at, test_.tolerance_um ? say(says::tolerance) : std::string(),
-                     (at > 0 ? "+" : "") + number(at).in(language_) + " µm");
+                     (at > 0 ? "+" : "") + number(at).in(language_) + " µm",
+                     sign < 0 ? PolarPanel::Words::below : PolarPanel::Words::above);
     }
   }
 
@@ -167,8 +167,9 @@ class CircularFigure {
           {.name = {}, .role = pictures::Role::bar, .colour = 2, .points = {{0, y}, {size, y}}});
       panel.labels.push_back(
           {.at = {.x = size + panel.x->high * 0.01, .y = y - 0.17},
-           .words = say(says::bar, {{"cause", presentation::text_of(causes[i].name, language_)},
-                                    {"size", number(size)}})});
+           .words = presentation::text_of(causes[i].name, language_) + ": " +
+                    presentation::quantity_text(presentation::fixed(size, presentation::Unit::micrometre, 2),
+                                                language_)});
     }
     figure_.panels.push_back(std::move(panel));
   }

@@ -45,20 +45,32 @@ bool is_linear(machine::AxisConfiguration const& axis) {
   return axis.type == machine::AxisType::translatory && !axis.gantry_master;
 }
 
+std::vector<std::size_t> linear_axes(machine::Machine const& machine, std::size_t group) {
+  auto axes = machine.groups[group].axes;
+  std::erase_if(axes, [&](std::size_t axis) { return !is_linear(machine.axes[axis]); });
+  return axes;
+}
+
+/// Each pair of linear axes of a channel.
+std::vector<Plane> planes_in(machine::Machine const& machine, std::size_t group) {
+  auto const axes = linear_axes(machine, group);
+  std::vector<Plane> planes;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t k = i + 1; k < axes.size(); ++k) planes.push_back({axes[i], axes[k]});
+  }
+  return planes;
+}
+
 std::vector<Plane> planes_of(CircleMachine const& machine, std::optional<std::string> const& word) {
-  auto const& axes = machine.machine.axes;
   std::vector<Plane> planes;
   std::vector<std::string> names;
   std::vector<std::size_t> linear;
-  for (auto const& group : machine.machine.groups) {
-    for (auto first = group.axes.begin(); first != group.axes.end(); ++first) {
-      if (!is_linear(axes[*first])) continue;
-      names.push_back(axes[*first].name);
-      linear.push_back(*first);
-      for (auto second = first + 1; second != group.axes.end(); ++second) {
-        if (is_linear(axes[*second])) planes.push_back({*first, *second});
-      }
+  for (std::size_t group = 0; group < machine.machine.groups.size(); ++group) {
+    for (auto const axis : linear_axes(machine.machine, group)) {
+      linear.push_back(axis);
+      names.push_back(machine.machine.axes[axis].name);
     }
+    for (auto const& plane : planes_in(machine.machine, group)) planes.push_back(plane);
   }
   if (word) {
     auto const [u, v] = asked_plane(*word, names);
@@ -169,6 +181,14 @@ bool CircularTest::keeps_tolerance() const {
 Overrides with_unlike_delays(Overrides overrides) {
   overrides.options.severities[unlike_delays] = Severity::warning;
   return overrides;
+}
+
+CircularTest channel_circles(CircleMachine const& machine, std::size_t group, double feed, double radius_mm) {
+  CircularTest test{.cycle_time = machine.machine.cycle_time, .cases = {}, .tolerance_um = {}, .files = {}};
+  for (auto const& plane : planes_in(machine.machine, group)) {
+    test.cases.push_back(predicted(machine, plane, feed, radius_mm));
+  }
+  return test;
 }
 
 std::optional<CircularTest> circular_test(Workspace& workspace, CircleQuestion const& question,

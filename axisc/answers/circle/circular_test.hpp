@@ -52,6 +52,11 @@ struct CircularTest {
 /// no error, because the test shows what they do.
 [[nodiscard]] Overrides with_unlike_delays(Overrides overrides);
 
+/// Predicted, of each pair of linear axes of a channel; without cases where it lacks two. Failure as for
+/// circular_test().
+[[nodiscard]] CircularTest channel_circles(CircleMachine const& machine, std::size_t group, double feed,
+                                           double radius_mm);
+
 /// None after other errors. Failure where feed or radius are missing or not those of the recording, where the
 /// machine lacks two linear axes, and for what the recording lacks.
 [[nodiscard]] std::optional<CircularTest> circular_test(Workspace& workspace, CircleQuestion const& question,

@@ -60,12 +60,13 @@ pictures::Figure circle_figure(ContourSubject const& subject, ContourRequest con
     figure.nothing = subject.say(says::circle_none);
     return figure;
   }
-  panel.add_ring(0, subject.say(says::circle_programmed), {});
+  panel.add_ring(0, subject.say(says::circle_programmed));
   double const step = round_below(largest * 0.9 / motion::units_per_um) * motion::units_per_um;
   for (double const sign : {-1.0, 1.0}) {
     panel.add_ring(
         sign * step, {},
-        subject.say(says::circle_ring, {{"deviation", (sign > 0 ? "+" : "-") + micrometres(step)}}));
+        subject.say(says::circle_ring, {{"deviation", (sign > 0 ? "+" : "-") + micrometres(step)}}),
+        sign < 0 ? PolarPanel::Words::below : PolarPanel::Words::above);
   }
   for (std::size_t i = 0; i < curves.size(); ++i) {
     auto const& curve = curves[i];

@@ -36,7 +36,7 @@ PolarPanel::PolarPanel(double radius, double largest)
   panel_.is_bare = true;
 }
 
-void PolarPanel::add_ring(double deviation, std::string name, std::string words) {
+void PolarPanel::add_ring(double deviation, std::string name, std::string words, Words place) {
   double const ring = shown(deviation);
   auto& curve = panel_.curves.emplace_back(
       pictures::Curve{.name = std::move(name), .role = pictures::Role::guide, .colour = 0, .points = {}});
@@ -45,7 +45,7 @@ void PolarPanel::add_ring(double deviation, std::string name, std::string words)
     curve.points.push_back({.x = ring * std::cos(angle), .y = ring * std::sin(angle)});
   }
   if (words.empty()) return;
-  double const height = deviation < 0 ? -words_height : words_height;
+  double const height = place == Words::below ? -words_height : words_height;
   panel_.labels.push_back({.at = {.x = outside + 0.05, .y = height}, .words = std::move(words)});
   // A line from the words to the ring.
   panel_.curves.push_back({.name = "",

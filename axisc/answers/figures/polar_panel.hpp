@@ -3,6 +3,7 @@
 
 #include "presentation/pictures/figure.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ class PolarPanel {
 
   /// By how much deviations are magnified: a round number.
   [[nodiscard]] double factor() const { return factor_; }
-  /// At this deviation; words lie beside it.
-  void add_ring(double deviation, std::string name, std::string words);
+  /// At this deviation, with words beside it.
+  enum class Words : std::uint8_t { above, below };
+  void add_ring(double deviation, std::string name, std::string words = {}, Words place = Words::above);
   /// `points` in the unit of the radius, about the centre of the circle.
   void add(pictures::Curve style, std::vector<pictures::Point> const& points);
 

@@ -1,13 +1,18 @@
+#include "axisc/answers/circle/circle_answer.hpp"
+#include "axisc/answers/circle/circular_figure.hpp"
 #include "axisc/answers/contour/contour_answer.hpp"
 #include "axisc/answers/figures/plotted_groups.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 
+#include <algorithm>
+
 namespace axisc::says {
 
 constexpr Sentence channel_heading{"Channel {group}", "Kanal {group}"};
 constexpr Sentence only_channel{"All axes", "Alle Achsen"};
+constexpr Sentence circular_test{"Circular test {circle}", "Kreisformtest {circle}"};
 constexpr Sentence filters_are_on{
     "Contour deviation with all filters on, as after #FILTER ON or #VIB GUARD ON.",
     "Bahnabweichung mit allen Filtern, wie nach #FILTER ON oder #VIB GUARD ON."};
@@ -19,6 +24,23 @@ namespace axisc {
 using namespace presentation;
 
 namespace {
+
+/// The circular test of each plane at the highest feed, its numbers folded.
+void add_circles(ReportBlocks& blocks, ReportSubject const& subject, std::size_t group) {
+  auto const& feeds = subject.contour.feeds;
+  auto const test = channel_circles(
+      {.path = subject.input, .machine = *subject.machine, .image = subject.plots->contents()}, group,
+      *std::max_element(feeds.begin(), feeds.end()), subject.contour.radius_mm);
+  for (auto const& one : test.cases) {
+    CircularTest const alone{.cycle_time = test.cycle_time, .cases = {one}, .tolerance_um = {}, .files = {}};
+    Section section{.key = {},
+                    .title = Words(says::circular_test, {{"circle", circle_title(one)}}),
+                    .blocks = circle_blocks(alone, one)};
+    section.blocks.emplace_back(Picture{circular_figure(alone, subject.language)});
+    section.is_folded = true;
+    blocks.emplace_back(std::move(section));
+  }
+}
 
 /// Contours in numbers and pictures.
 ReportBlocks contours(ReportSubject const& subject, std::size_t group) {
@@ -38,6 +60,7 @@ ReportBlocks contours(ReportSubject const& subject, std::size_t group) {
   blocks.emplace_back(Picture{delay_figure(delays)});
   blocks.emplace_back(Picture{corner_figure(contour, subject.contour)});
   blocks.emplace_back(Picture{circle_figure(contour, subject.contour)});
+  add_circles(blocks, subject, group);
   return blocks;
 }
 

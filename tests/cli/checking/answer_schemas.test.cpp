@@ -141,6 +141,8 @@ TEST_CASE("the schemas of answers refuse what is not in them") {
   check_strict({"contour", "samples/motion/square", "--budget"});
   check_strict({"suggest", "samples/resonance", "--axis", "X", "--resonance", "48Hz"});
   check_strict({"suggest", "samples/resonance", "--axis", "X", "--resonance", "48Hz", "--slope", "TRAPEZ"});
+  check_strict(
+      {"circle", "samples/circle", "samples/circle/ccw.csv", "samples/circle/cw.csv", "--tolerance", "5"});
   check_strict({"compare", "samples/recording/x.lis", "samples/recording/scope.csv", "--cycle-time", "1ms"});
   check_strict({"compare", "samples/recording/motion", "samples/recording/motion/scope.csv", "--program",
                 "samples/recording/motion/tell.nc"});
