@@ -172,7 +172,8 @@ test('the machine leads to its files; an edit is compared with what was opened',
   await page.click('.cm-content');
   await page.keyboard.press('Control+End');
   await afterCheck(page, () => page.keyboard.insertText('filter[0].guete 5\n'));
-  await page.check('#before');
+  await page.click('#compare');
+  assert.ok(await page.isChecked('#before'));
   await page.waitForFunction((before) => document.querySelector('.frame img').src !== before, alone);
   const svg = String(await saved(page, '#save-picture'));
   assert.match(svg, /<svg[^]*before/);
@@ -232,6 +233,16 @@ test('a sound folder shows its machine, its verdict, and what its files are for'
   assert.deepEqual(rows[4].slice(0, 2), ['U', 'low-pass 30 Hz']);
   const files = await page.$$eval('#file-list button', (all) => all.map((row) => row.textContent));
   assert.ok(files.includes('Xachsmds1.lis') && files.includes('Fraesensda_mds1.lis'), String(files));
+});
+
+test('of several machines one is chosen', wait, async () => {
+  for (const name of ['mill', 'motion/rack']) await cp(path.join(samples, name), path.join(folder, 'hall', path.basename(name)), { recursive: true });
+  await chooseFolder(page, path.join(folder, 'hall'));
+  await page.click('#tab-machine');
+  await page.waitForFunction(() => document.querySelectorAll('#machines option').length === 2);
+  await page.selectOption('#machines', 'hall/rack/machine.json');
+  await page.waitForFunction(() => document.querySelectorAll('#contour-text tbody tr th').length === 1);
+  assert.equal(await page.$eval('#file-name', (name) => name.textContent), 'hall/rack/machine.json');
 });
 
 test('equal findings are one entry that repairs all of them; severities are chosen', wait, async () => {

@@ -4,16 +4,18 @@ import { tags } from '@lezer/highlight';
 
 interface State {
   begins: boolean;
+  /** After a number the control ignores the rest of the line. */
+  ends: boolean;
 }
 
 const list = StreamLanguage.define<State>({
   name: 'axis-list',
-  startState: () => ({ begins: true }),
+  startState: () => ({ begins: true, ends: false }),
   token(stream, state) {
-    if (stream.sol()) state.begins = true;
+    if (stream.sol()) [state.begins, state.ends] = [true, false];
     if (stream.eatSpace()) return null;
     const rest = stream.string.slice(stream.pos);
-    if (/^(#|\/\/|;)/.test(rest) || (rest.startsWith('(') && !state.begins)) {
+    if (state.ends || /^(#|\/\/|;)/.test(rest) || (rest.startsWith('(') && !state.begins)) {
       stream.skipToEnd();
       return 'comment';
     }
@@ -21,7 +23,10 @@ const list = StreamLanguage.define<State>({
       state.begins = false;
       return stream.match(/^[\w.[\]$]+/) ? 'propertyName' : (stream.next(), null);
     }
-    if (stream.match(/^[-+]?(0x[\da-f]+|\d+\.?\d*(e[-+]?\d+)?|\.\d+)(?=\s|$|[(#])/i)) return 'number';
+    if (stream.match(/^[-+]?(0x[\da-f]+|\d+\.?\d*(e[-+]?\d+)?|\.\d+)(?=\s|$|[(#])/i)) {
+      state.ends = true;
+      return 'number';
+    }
     if (stream.match(/^[\w.|"*/\\:-]+/)) return 'atom';
     stream.next();
     return null;

@@ -38,7 +38,7 @@ function filtersOf({ filters, linear_phase_filter: last }: Image['axes'][number]
 function filters(json: string): HTMLElement {
   const { axes, kernels } = JSON.parse(json) as Image;
   const number = (value: number | null | undefined): HTMLElement => element('td', { class: 'number' }, value == null ? '' : figure(value, 4));
-  const heads = (['axis', 'filtersOf', 'delayMs', 'cornerHz', 'overshoot', 'settles'] as const).map((key, i) => element('th', { scope: 'col', class: i > 1 ? 'number' : '' }, say(key)));
+  const heads = (['axis', 'filtersOf', 'delayMs', 'cornerHz', 'overshoot', 'settles'] as const).map((key, i) => element('th', { scope: 'col', class: ['', 'filters'][i] ?? 'number' }, say(key)));
   const rows = axes.map((axis) =>
     element(
       'tr',

@@ -96,7 +96,7 @@ export class Outputs {
 /** The report without its scripts, which may not run here, in the page's colours, and no wider than its frame. */
 function preview(html: string): string {
   const isDark = document.documentElement.dataset['theme'] === 'dark';
-  const style = `<style>:root{color-scheme:${isDark ? 'dark' : 'light'} !important}td{overflow-wrap:anywhere}</style></head>`;
+  const style = `<style>:root{color-scheme:${isDark ? 'dark' : 'light'} !important}td,h1,h2,h3{overflow-wrap:anywhere}</style></head>`;
   return html
     .replace(/<script\b[^]*?<\/script>/gi, '')
     .replace(/\(prefers-color-scheme: ?dark\)/g, isDark ? 'screen' : 'not all')

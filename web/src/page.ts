@@ -68,6 +68,10 @@ export class Page {
     const events = { changed: (text: string) => this.edited(text), fix: (finding: Finding) => this.fix([finding]) };
     this.editor = new Editor(byId('editor'), events, this.server);
     this.outputs = new Outputs(this);
+    byId('compare').addEventListener('click', () => {
+      byId<HTMLInputElement>('before').checked = true;
+      this.outputs.choose('pictures');
+    });
     byId('machines').addEventListener('change', () => this.choose(byId<HTMLSelectElement>('machines').value, 'machine'));
   }
 
@@ -226,6 +230,7 @@ export class Page {
     byId('download').textContent = say('download', { file: this.shown.slice(this.shown.lastIndexOf('/') + 1) });
     byId('hidden-text').textContent = say('notShown', { file: this.shown });
     const changed = this.workspace.changed.length;
+    byId('compare').hidden = changed === 0;
     byId('download-all').hidden = changed < 2;
     byId('download-all').textContent = say('downloadAll', { files: changed });
     byId('before-line').classList.toggle('unchanged', changed === 0);

@@ -125,6 +125,7 @@ const texts = {
   kind: ['Picture', 'Bild'],
   axis: ['Axis', 'Achse'],
   everyAxis: ['all', 'alle'],
+  compareChanges: ['Before and after', 'Vorher und nachher'],
   before: ['Before and after my changes', 'Vor und nach meinen Änderungen'],
   response: ['Frequency response', 'Frequenzgang'],
   step: ['Step', 'Sprung'],
