@@ -220,6 +220,20 @@ test('an image of the mill is the native one', wait, async () => {
   assert.deepEqual(image, await readFile(path.join(folder, 'images/mill.axim')));
 });
 
+test('the start page shows a result; its fix opens the list', wait, async () => {
+  const one = await opened();
+  const codes = await one.$$eval('#example-findings .code', (all) => all.map((code) => code.textContent));
+  assert.ok(codes.includes('AX1005'), String(codes));
+  assert.equal(await one.isVisible('#verdict'), false);
+  await afterCheck(one, () => one.click('#example-findings li:has-text("AX1005") .fix'));
+  assert.match(String(await saved(one, '#download')), /fg_f0 +42\.5\n/);
+  await one.click('#home');
+  assert.ok(await one.isVisible('#drop'));
+  await one.click('#other');
+  assert.ok(await one.isVisible('#verdict'));
+  await one.context().close();
+});
+
 test('a sound folder shows its machine, its verdict, and what its files are for', wait, async () => {
   await chooseFolder(page, path.join(samples, 'controller'));
   await page.waitForFunction(() => document.body.dataset.panel === 'machine' && document.getElementById('contour-text').textContent.includes('µm'));
@@ -288,7 +302,9 @@ test('numbers, codes and words are looked up, and lead to one another', wait, as
 test('a recording that is dropped on its lists is compared with them', wait, async () => {
   const recording = path.join(samples, 'recording');
   await choose(page, path.join(recording, 'x.lis'));
-  await page.setInputFiles('#files', path.join(recording, 'scope.csv'));
+  const text = path.join(folder, 'scope.txt');
+  await cp(path.join(recording, 'scope.csv'), text);
+  await page.setInputFiles('#files', text);
   await page.waitForFunction(() => document.getElementById('picture-text').textContent !== '' && document.querySelector('.frame img').naturalWidth > 0);
   const { stdout } = run(['compare', '--lang', 'en', 'x.lis', 'scope.csv', ...cycle, '--format', 'json'], recording);
   const deviation = JSON.parse(stdout).listed.largest;

@@ -53,7 +53,7 @@ export class Controls {
     });
     byId('cycle-time').addEventListener('change', () => this.time());
     byId('new').addEventListener('click', () => this.page.begun(''));
-    for (const id of ['home', 'other']) byId(id).addEventListener('click', () => this.turn());
+    for (const id of ['home', 'other']) byId(id).addEventListener('click', () => this.page.showStart(byId('start').hidden !== false || this.page.isExample));
     document.addEventListener('paste', (event) => {
       const text = event.clipboardData?.getData('text/plain') ?? '';
       const isElsewhere = event.target instanceof Element && event.target.closest('.cm-editor, input') === null;
@@ -62,17 +62,6 @@ export class Controls {
     addEventListener('beforeunload', (event) => {
       if (this.page.workspace.unsaved.length > 0) event.preventDefault();
     });
-  }
-
-  /** The start page, or back from it. */
-  private turn(): void {
-    if (document.body.classList.contains('starting')) return;
-    const isStarting = byId('start').hidden !== false;
-    byId('start').hidden = !isStarting;
-    byId('example').hidden = isStarting;
-    for (const id of ['verdict', 'head']) byId(id).hidden = isStarting;
-    document.querySelector('main')?.toggleAttribute('hidden', isStarting);
-    byId('other').textContent = isStarting ? say('back', { file: this.page.shown.replace(/^.*\//, '') }) : say('other');
   }
 
   private time(): void {
@@ -128,7 +117,7 @@ export class Controls {
     document.documentElement.lang = language;
     document.title = `axisc – ${say('title')}`;
     const texts: Record<string, Key> = {
-      open: 'open', 'open-folder': 'openFolder', new: 'new', align: 'align', compile: 'compile', share: 'share', other: 'other',
+      open: 'open', 'open-folder': 'openFolder', new: 'new', align: 'align', compile: 'compile', share: 'share',
       'tab-findings': 'findings', 'tab-machine': 'machine', 'tab-pictures': 'pictures', 'tab-report': 'report', 'tab-text': 'text', 'tab-side': 'side',
     };
     for (const [id, key] of Object.entries(texts)) byId(id).textContent = say(key);

@@ -20,10 +20,12 @@ export interface Desk {
   tell(text: string): void;
 }
 
+/** What went wrong, without the program's name, which is for terminals. */
+export const reasonIn = (error: string): string => error.replace(/^axisc: (error|Fehler)(\[\w+\])?: /, '').trim();
+
 /** Why there is no result; empties `place` where there is one. */
 export function showTrouble(place: HTMLElement, { status, result, error }: Outcome<string>, desk: Desk): void {
   place.hidden = result !== '';
-  const text = error.replace(/^axisc: (error|Fehler): /, '').trim();
-  const trouble = status === 1 ? [say('errorsFirst'), ' ', button(say('seeFindings'), () => desk.turn('findings'))] : [text];
+  const trouble = status === 1 ? [say('errorsFirst'), ' ', button(say('seeFindings'), () => desk.turn('findings'))] : [reasonIn(error)];
   place.replaceChildren(...(result === '' ? [element('p', { class: 'trouble' }, ...trouble)] : []));
 }

@@ -6,7 +6,13 @@ import { say, type Key } from './texts';
 import type { Workspace } from './workspace';
 
 export const isProgram = (path: string): boolean => /\.nc$/i.test(path);
-export const isRecording = (path: string): boolean => /\.(csv|tsv|svdx)$/i.test(path);
+
+/** What a scope recorded; a text is one if a line begins with numbers, which no line of a list does. */
+export function isRecording(path: string, bytes: Uint8Array): boolean {
+  if (/\.(csv|tsv|svdx)$/i.test(path)) return true;
+  const begin = new TextDecoder('windows-1252').decode(bytes.subarray(0, 8192)).replaceAll('\0', '');
+  return /\.txt$/i.test(path) && /^\s*-?\d[\d.,]*(e[-+]?\d+)?\s*[\t;]\s*-?\d/im.test(begin);
+}
 
 const kinds = ['kindMachine', 'kindAxes', 'kindDefaults', 'kindChannels', 'kindPrograms', 'kindRecordings', 'kindOthers'] as const satisfies readonly Key[];
 interface Row {
@@ -16,7 +22,7 @@ interface Row {
   name: string;
 }
 
-function rowsOf(paths: readonly string[], { path: machinePath, machine }: Facts): Row[] {
+function rowsOf({ paths, recordings }: Workspace, { path: machinePath, machine }: Facts): Row[] {
   const axes = new Map<string, string[]>();
   for (const { name, list } of machine?.axes ?? []) axes.set(list, [...(axes.get(list) ?? []), name]);
   const groups = machine?.groups ?? [];
@@ -28,14 +34,14 @@ function rowsOf(paths: readonly string[], { path: machinePath, machine }: Facts)
     if (path === machine?.default_list || path === machine?.default_channel_list) return { kind: 'kindDefaults', path, name: '' };
     if (group) return { kind: 'kindChannels', path, name: group.name ?? group.axes.join('') };
     if (isProgram(path)) return { kind: 'kindPrograms', path, name: '' };
-    if (isRecording(path)) return { kind: 'kindRecordings', path, name: '' };
+    if (recordings.includes(path)) return { kind: 'kindRecordings', path, name: '' };
     return { kind: 'kindOthers', path, name: '' };
   });
   return rows.sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind) || rank(a.path) - rank(b.path) || a.path.localeCompare(b.path));
 }
 
 export function showFiles(list: HTMLElement, workspace: Workspace, facts: Facts, findings: readonly Finding[], shown: string, choose: (path: string) => void): void {
-  const rows = rowsOf(workspace.paths, facts);
+  const rows = rowsOf(workspace, facts);
   const counts = new Map<string, { count: number; worst: string }>();
   for (const { file, severity } of findings) {
     if (severity === 'note') continue;

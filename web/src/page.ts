@@ -1,10 +1,9 @@
 // The open files, and the program's answers about them.
 import { Checks, reasonOf } from './checks';
-import { repairedBy } from './edits';
+import { reasonIn } from './desk';
 import { Editor } from './editor';
 import { byId } from './elements';
 import type { Decoded } from './encoding';
-import { factsOf, machinesAmong, noFacts, type Facts } from './facts';
 import { isRecording, showFiles } from './files';
 import { findingsIn, showFilters, showFindings, type Actions, type Finding, type Severity } from './findings';
 import type { Incoming } from './incoming';
@@ -12,11 +11,10 @@ import { Outputs, type Panel } from './outputs';
 import type { Parts } from './parts';
 import { Program, type Changed, type Timed } from './program';
 import { Server } from './server';
+import { Survey } from './survey';
 import { currentLanguage, say } from './texts';
 import { showVerdict } from './verdict';
 import { Workspace } from './workspace';
-
-const pause = 200;  // ms without a check before the machine is asked for
 
 export interface Opening {
   isSample?: boolean;
@@ -36,13 +34,12 @@ export class Page {
   private readonly server: Server;
   private readonly editor: Editor;
   private readonly outputs: Outputs;
-  private facts: Facts = noFacts;
-  private machines: string[] = [];
+  private readonly survey: Survey;
   private checkedFiles = 0;
-  private safe = 0;
   private severity: Severity | null = null;
   private isChosen = false;
-  private describing = 0;
+  /** The files are those of the start page. */
+  isExample = false;
   private recording: string | undefined;
   private toldUntil = 0;
   private readonly checks = new Checks(
@@ -50,7 +47,7 @@ export class Page {
     (failure) => this.tell(say('failed', { reason: reasonOf(failure) })),
   );
   get assumedTime(): string | null {
-    return this.facts.cycleTime ? null : this.cycleTime;
+    return this.survey.facts.cycleTime ? null : this.cycleTime;
   }
 
   readonly actions: Actions = {
@@ -68,6 +65,7 @@ export class Page {
     const events = { changed: (text: string) => this.edited(text), fix: (finding: Finding) => this.fix([finding]) };
     this.editor = new Editor(byId('editor'), events, this.server);
     this.outputs = new Outputs(this);
+    this.survey = new Survey(this, () => this.renderFacts());
     byId('compare').addEventListener('click', () => {
       byId<HTMLInputElement>('before').checked = true;
       this.outputs.choose('pictures');
@@ -78,28 +76,25 @@ export class Page {
   /** New files take the place of those before; recordings are added to them. */
   open(files: Incoming, { isSample = false, isExample = false, recording }: Opening = {}): void {
     if (files.length === 0) return;
-    if (files.every(([path]) => isRecording(path))) {
-      if (document.body.classList.contains('starting')) this.tell(say('listsFirst'));
+    if (files.every(([path, bytes]) => isRecording(path, bytes))) {
+      if (this.isExample) this.tell(say('listsFirst'));
       else this.add(files);
       return;
     }
     const unsaved = this.workspace.unsaved.map(({ path }) => path);
     if (unsaved.length > 0 && !confirm(say('unsaved', { files: unsaved.join(', ') }))) return;
-    document.body.classList.toggle('starting', isExample);
-    for (const [id, isShown] of [['start', isExample], ['verdict', !isExample], ['head', !isExample], ['other', !isExample]] as const) byId(id).hidden = !isShown;
-    document.querySelector('main')?.toggleAttribute('hidden', isExample);
+    this.isExample = isExample;
+    this.showStart(isExample);
     byId('sample-mark').hidden = !isSample;
-    byId('other').textContent = say('other');
     this.program.interrupt();
     const old = this.workspace.paths.flatMap((path) => [path, `/before/${path}`]);
     this.workspace = new Workspace(files);
     this.program.update(files.flatMap(([path, bytes]) => [[path, bytes], [`/before/${path}`, bytes]] as [string, Uint8Array][]), old);
     this.findings = [];
-    this.safe = 0;
-    this.facts = noFacts;
-    this.machines = [];
+    this.survey.forget();
     this.severity = null;
     this.editor.forget();
+    for (const id of ['machine-text', 'contour-text', 'picture-text']) byId(id).replaceChildren();
     this.isChosen = false;
     this.recording = recording;
     const paths = this.workspace.paths;
@@ -108,8 +103,18 @@ export class Page {
     void this.check(true);
   }
 
+  /** The start page, or the open files. */
+  showStart(isShown: boolean): void {
+    byId('start').hidden = !isShown;
+    byId('example').hidden = !this.isExample;
+    byId('other').hidden = this.isExample;
+    byId('other').textContent = isShown ? say('back', { file: this.shown.replace(/^.*\//, '') }) : say('other');
+    for (const id of ['verdict', 'head', 'desk']) byId(id).hidden = isShown;
+  }
+
   private add(files: Incoming): void {
-    for (const [path, bytes] of files) this.workspace.files.set(path, { path, original: bytes, bytes, saved: bytes });
+    this.showStart(false);
+    this.workspace.add(files);
     this.program.update(files);
     this.render();
     this.outputs.compare(files[0]?.[0] ?? '');
@@ -128,7 +133,7 @@ export class Page {
     this.show(path);
     if (panel !== 'text' || this.outputs.panel !== 'pictures') this.outputs.choose(panel);
     else this.outputs.refresh();
-    this.describeSoon();
+    this.survey.soon();
   }
 
   turn(panel: Panel): void {
@@ -170,40 +175,19 @@ export class Page {
     if (!this.isChosen && worst && workspace.files.has(worst.file) && worst.file !== this.shown) this.show(worst.file);
     else this.render();
     this.isChosen = true;
-    if (outcome.status !== 0 && outcome.status !== 1) this.tell(outcome.error);
+    if (outcome.status !== 0 && outcome.status !== 1) this.tell(reasonIn(outcome.error));
     this.outputs.refresh();
-    if (isFirst) void this.survey(workspace, findings.length === 0).catch(() => undefined);
-    else this.describeSoon();
+    if (isFirst) void this.begin(workspace).catch(() => undefined);
+    else this.survey.soon();
     return outcome;
   }
 
-  /** Looks for the machines of new files; where nothing is wrong, the machine comes first. */
-  private async survey(workspace: Workspace, isSound: boolean): Promise<void> {
-    this.machines = workspace.files.size > 1 ? await machinesAmong(this.program, workspace.paths) : [];
-    const [first] = this.machines;
+  /** After the first check of new files: where nothing is wrong, their machine comes first. */
+  private async begin(workspace: Workspace): Promise<void> {
+    const first = await this.survey.begin();
     if (workspace !== this.workspace) return;
-    if (this.recording !== undefined) {
-      await this.describe();
-      this.outputs.compare(this.recording);
-      return;
-    }
-    if (first !== undefined && isSound && this.outputs.panel === 'findings') this.choose(first, 'machine');
-    else await this.describe();
-  }
-
-  private describeSoon(): void {
-    clearTimeout(this.describing);
-    this.describing = window.setTimeout(() => void this.describe().catch(() => undefined), pause);
-  }
-
-  private async describe(): Promise<void> {
-    const { workspace, shown, findings } = this;
-    const repaired = findings.some(({ fix }) => fix) ? (await this.program.fix(workspace.whole)).result : [];
-    if (workspace === this.workspace && findings === this.findings) this.safe = repairedBy(repaired, findings, workspace);
-    const facts = await factsOf(this.program, shown, (path) => workspace.text(path)?.text ?? '');
-    if (workspace !== this.workspace || shown !== this.shown) return;
-    this.facts = facts;
-    this.renderFacts();
+    if (this.recording !== undefined) this.outputs.compare(this.recording);
+    else if (first !== undefined && this.findings.length === 0 && this.outputs.panel === 'findings') this.choose(first, 'machine');
   }
 
   /** For a while; what could not be done stays longer. */
@@ -218,7 +202,7 @@ export class Page {
   /** What the program knows of a code, a message, a parameter or a word. */
   async explain(word: string): Promise<void> {
     const outcome = await this.program.answer({ question: 'explain', word, format: 'markdown' });
-    this.open_(outcome.result || outcome.error.replace(/^axisc: (error|Fehler): /, ''));
+    this.open_(outcome.result || reasonIn(outcome.error));
   }
 
   said(text: string): void {
@@ -248,20 +232,20 @@ export class Page {
     });
     byId('no-findings').hidden = findings.length > 0;
     const shown = findings.filter(({ severity }) => this.severity === null || severity === this.severity);
-    showFindings(byId(document.body.classList.contains('starting') ? 'example-findings' : 'finding-list'), shown, this.actions);
+    showFindings(byId(this.isExample ? 'example-findings' : 'finding-list'), shown, this.actions);
   }
 
   private renderFacts(): void {
-    const { findings, facts, checkedFiles } = this;
-    showVerdict({ findings, facts, files: checkedFiles, safe: this.safe });
-    const line = byId('machines-line');
-    line.hidden = this.machines.length < 2;
-    const menu = byId<HTMLSelectElement>('machines');
-    menu.replaceChildren(...this.machines.map((path) => new Option(path, path, false, path === facts.path)));
+    const { findings, checkedFiles } = this;
+    const { facts, machines, safe } = this.survey;
+    showVerdict({ findings, facts, files: checkedFiles, safe });
+    byId('machines-line').hidden = machines.length < 2;
+    byId('machines').replaceChildren(...machines.map((path) => new Option(path, path, false, path === facts.path)));
     showFiles(byId('file-list'), this.workspace, facts, findings, this.shown, (path) => this.choose(path));
   }
 
   private go(finding: Finding): void {
+    if (this.isExample) byId('open-example').click();
     if (this.workspace.files.has(finding.file)) this.choose(finding.file);
     const { line, column, end_line, end_column } = finding;
     if (!line || !column || !end_line || !end_column) return;
@@ -270,6 +254,7 @@ export class Page {
 
   /** The edits of findings: in the editor those of the shown file, in other files at once. */
   private fix(findings: readonly Finding[]): void {
+    if (this.isExample) byId('open-example').click();
     const all = findings.flatMap((finding) => finding.fix?.edits ?? []);
     const edits = [...new Map(all.map((edit) => [JSON.stringify(edit), edit])).values()];
     const here = edits.some((edit) => edit.file === this.shown) ? this.shown : edits[0]?.file;
@@ -306,6 +291,7 @@ export class Page {
 
   /** After a change of language or cycle time. */
   again(): void {
+    this.showStart(byId('start').hidden === false);
     this.render();
     void this.check(true);
   }

@@ -2,7 +2,7 @@
 import type { Outcome } from '../interface/axisc.mjs';
 import { showTrouble, type Desk } from './desk';
 import { byId, element, save } from './elements';
-import { isProgram, isRecording } from './files';
+import { isProgram } from './files';
 import { markdown } from './markdown';
 import { Picture } from './picture';
 import { say } from './texts';
@@ -51,11 +51,12 @@ export class Pictures {
     refresh: () => void,
   ) {
     byId('save-picture').addEventListener('click', () => save('picture.svg', this.svg, 'image/svg+xml'));
-    for (const id of ['kind', 'axis', 'program', 'recording', 'plant', 'travel', 'feed', 'before']) byId(id).addEventListener('change', refresh);
+    for (const id of ['kind', 'axis', 'program', 'recording', 'in', 'out', 'plant', 'travel', 'feed', 'before']) byId(id).addEventListener('change', refresh);
   }
 
   speak(): void {
     this.picture.speak();
+    for (const id of ['in', 'out']) byId<HTMLInputElement>(id).placeholder = say('foundByItself');
     this.fillKinds();
   }
 
@@ -68,8 +69,8 @@ export class Pictures {
 
   /** Kinds without a subject among the files are left out. */
   private fillKinds(): void {
-    const { paths } = this.page.workspace;
-    const isThere = { axes: true, contour: true, program: paths.some(isProgram), plant: paths.some(isPlant), recording: paths.some(isRecording) };
+    const { paths, recordings } = this.page.workspace;
+    const isThere = { axes: true, contour: true, program: paths.some(isProgram), plant: paths.some(isPlant), recording: recordings.length > 0 };
     const names = (Object.keys(kinds) as KindName[]).filter((name) => isThere[kinds[name].of]);
     fill(this.kind, names.map((name) => [name, say(name)] as const));
   }
@@ -97,7 +98,8 @@ export class Pictures {
   /** The picture of a comparison with a recording; its words go below it. */
   private async compared(machine: string, axes: readonly string[], isLast: () => boolean): Promise<Outcome<string>> {
     const { program, assumedTime } = this.page;
-    const options = [...(axes.length > 1 ? ['--axis', this.axis.value] : []), ...(assumedTime ? ['--cycle-time', assumedTime] : [])];
+    const columns = (['in', 'out'] as const).flatMap((id) => (byId<HTMLInputElement>(id).value.trim() ? [`--${id}`, byId<HTMLInputElement>(id).value.trim()] : []));
+    const options = [...columns, ...(axes.length > 1 ? ['--axis', this.axis.value] : []), ...(assumedTime ? ['--cycle-time', assumedTime] : [])];
     const answer = await program.run('compare', machine, this.recording.value, '--format', 'markdown', ...options);
     if (isLast()) byId('picture-text').replaceChildren(markdown(answer.result));
     if (answer.result === '') return answer;
@@ -112,15 +114,15 @@ export class Pictures {
 
   /** The choices that a kind has. */
   private offer(of: Kind['of'], axes: readonly string[], machine: string): void {
-    const { paths } = this.page.workspace;
+    const { paths, recordings } = this.page.workspace;
     // One axis moves with its plant; all may be drawn over one another.
     fill(this.axis, [...(of === 'plant' || of === 'recording' ? [] : [['', say('everyAxis')] as const]), ...axes.map(same)]);
     fill(this.program, paths.filter(isProgram).map(same));
-    fill(this.recording, paths.filter(isRecording).map(same));
+    fill(this.recording, recordings.map(same));
     fill(this.plant, paths.filter((path) => isPlant(path) && path !== machine).map(same));
     byId('axis-line').hidden = of === 'contour' || of === 'program';
     byId('program-line').hidden = of !== 'program';
-    byId('recording-line').hidden = of !== 'recording';
+    for (const id of ['recording-line', 'in-line', 'out-line']) byId(id).hidden = of !== 'recording';
     for (const id of ['plant-line', 'travel-line', 'feed-line']) byId(id).hidden = of !== 'plant';
     byId('before-line').hidden = of === 'program' || of === 'plant' || of === 'recording';
   }

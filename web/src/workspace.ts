@@ -1,6 +1,7 @@
 // The files that the user opened, as they came and as they are now.
 import { edited } from './edits';
 import { decode, encode, isBinary, type Decoded } from './encoding';
+import { isRecording } from './files';
 import type { Edit } from './findings';
 
 export interface WorkFile {
@@ -16,7 +17,15 @@ export class Workspace {
   readonly files = new Map<string, WorkFile>();
 
   constructor(files: Iterable<[string, Uint8Array]> = []) {
+    this.add(files);
+  }
+
+  add(files: Iterable<[string, Uint8Array]>): void {
     for (const [path, bytes] of files) this.files.set(path, { path, original: bytes, bytes, saved: bytes });
+  }
+
+  get recordings(): string[] {
+    return this.paths.filter((path) => isRecording(path, this.files.get(path)?.original ?? new Uint8Array()));
   }
 
   get paths(): string[] {

@@ -1,0 +1,59 @@
+// What is asked about the open files after they were checked, when there is time: their machines, and what --fix
+// would repair.
+import { repairedBy } from './edits';
+import { factsOf, machinesAmong, noFacts, type Facts } from './facts';
+import type { Finding } from './findings';
+import type { Program } from './program';
+import type { Workspace } from './workspace';
+
+const pause = 200;  // ms without a check
+
+interface Asking {
+  readonly program: Program;
+  readonly workspace: Workspace;
+  readonly shown: string;
+  readonly findings: readonly Finding[];
+}
+
+export class Survey {
+  facts: Facts = noFacts;
+  /** Paths of the machines among the files. */
+  machines: string[] = [];
+  /** How many findings `lint --fix` repairs. */
+  safe = 0;
+  private waiting = 0;
+
+  constructor(
+    private readonly page: Asking,
+    private readonly changed: () => void,
+  ) {}
+
+  forget(): void {
+    [this.facts, this.machines, this.safe] = [noFacts, [], 0];
+  }
+
+  /** The first machine of new files. */
+  async begin(): Promise<string | undefined> {
+    const { program, workspace } = this.page;
+    const machines = workspace.files.size > 1 ? await machinesAmong(program, workspace.paths) : [];
+    if (workspace !== this.page.workspace) return undefined;
+    this.machines = machines;
+    this.soon();
+    return machines[0];
+  }
+
+  soon(): void {
+    clearTimeout(this.waiting);
+    this.waiting = window.setTimeout(() => void this.ask().catch(() => undefined), pause);
+  }
+
+  private async ask(): Promise<void> {
+    const { program, workspace, shown, findings } = this.page;
+    const repaired = findings.some(({ fix }) => fix) ? (await program.fix(workspace.whole)).result : [];
+    const facts = await factsOf(program, shown, (path) => workspace.text(path)?.text ?? '');
+    if (workspace !== this.page.workspace) return;
+    if (findings === this.page.findings) this.safe = repairedBy(repaired, findings, workspace);
+    if (shown === this.page.shown) this.facts = facts;
+    this.changed();
+  }
+}
