@@ -1,9 +1,7 @@
 // Places of findings in a text, and edits at them. Lines and columns count from 1, columns in code points.
 import { Text } from '@codemirror/state';
-import { decode, joined, lines } from './encoding';
-import type { Edit, Finding, Place } from './findings';
-import type { Changed } from './program';
-import type { Workspace } from './workspace';
+import { joined, lines } from './encoding';
+import type { Edit, Place } from './findings';
 
 function offset(document: Text, line: number, column: number): number {
   if (line < 1 || line > document.lines) return line < 1 ? 0 : document.length;
@@ -25,14 +23,4 @@ export function edited(text: string, edits: readonly Edit[]): string {
   const changed = spans.reduce((now, { from, to, text: insert }) => now.replace(from, to, Text.of(insert.split('\n'))), document);
   if (changed.lines === document.lines) return joined([...changed.iterLines()], ends);
   return changed.toString();
-}
-
-/** How many of the findings the new files repair: fixes keep their lines. */
-export function repairedBy(files: Changed, findings: readonly Finding[], workspace: Workspace): number {
-  const changed = new Set<string>();
-  for (const [path, bytes] of files) {
-    const before = workspace.text(path)?.text.split('\n') ?? [];
-    decode(bytes).text.split('\n').forEach((line, i) => line !== before[i] && changed.add(`${path.replace(/^\.\//, '')}:${i + 1}`));
-  }
-  return findings.filter(({ fix }) => fix?.edits.some(({ file, line }) => changed.has(`${file}:${line}`))).length;
 }

@@ -7,13 +7,6 @@ import type { Workspace } from './workspace';
 
 export const isProgram = (path: string): boolean => /\.nc$/i.test(path);
 
-/** What a scope recorded; a text is one if a line begins with numbers, which no line of a list does. */
-export function isRecording(path: string, bytes: Uint8Array): boolean {
-  if (/\.(csv|tsv|svdx)$/i.test(path)) return true;
-  const begin = new TextDecoder('windows-1252').decode(bytes.subarray(0, 8192)).replaceAll('\0', '');
-  return /\.txt$/i.test(path) && /^\s*-?\d[\d.,]*(e[-+]?\d+)?\s*[\t;]\s*-?\d/im.test(begin);
-}
-
 const kinds = ['kindMachine', 'kindAxes', 'kindDefaults', 'kindChannels', 'kindPrograms', 'kindRecordings', 'kindOthers'] as const satisfies readonly Key[];
 interface Row {
   kind: (typeof kinds)[number];

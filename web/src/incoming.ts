@@ -67,3 +67,10 @@ export async function sample(name: string): Promise<Incoming> {
     return [path, bytes.slice(at - length, at)];
   });
 }
+
+/** What a scope recorded; a text is one if a line begins with numbers, which no line of a list does. */
+export function isRecording(path: string, bytes: Uint8Array): boolean {
+  if (/\.(csv|tsv|svdx)$/i.test(path)) return true;
+  const begin = new TextDecoder('windows-1252').decode(bytes.subarray(0, 8192)).replaceAll('\0', '');
+  return /\.txt$/i.test(path) && /^\s*-?\d[\d.,]*(e[-+]?\d+)?\s*[\t;]\s*-?\d/im.test(begin);
+}

@@ -1,9 +1,9 @@
 // What is asked about the open files after they were checked, when there is time: their machines, and what --fix
 // would repair.
-import { repairedBy } from './edits';
+import { decode } from './encoding';
 import { factsOf, machinesAmong, noFacts, type Facts } from './facts';
 import type { Finding } from './findings';
-import type { Program } from './program';
+import type { Changed, Program } from './program';
 import type { Workspace } from './workspace';
 
 const pause = 200;  // ms without a check
@@ -13,6 +13,16 @@ interface Asking {
   readonly workspace: Workspace;
   readonly shown: string;
   readonly findings: readonly Finding[];
+}
+
+/** How many of the findings the new files repair: fixes keep their lines. */
+function repairedBy(files: Changed, findings: readonly Finding[], workspace: Workspace): number {
+  const changed = new Set<string>();
+  for (const [path, bytes] of files) {
+    const before = workspace.text(path)?.text.split('\n') ?? [];
+    decode(bytes).text.split('\n').forEach((line, i) => line !== before[i] && changed.add(`${path.replace(/^\.\//, '')}:${i + 1}`));
+  }
+  return findings.filter(({ fix }) => fix?.edits.some(({ file, line }) => changed.has(`${file}:${line}`))).length;
 }
 
 export class Survey {

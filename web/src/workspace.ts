@@ -1,7 +1,7 @@
 // The files that the user opened, as they came and as they are now.
 import { edited } from './edits';
 import { decode, encode, isBinary, type Decoded } from './encoding';
-import { isRecording } from './files';
+import { isRecording } from './incoming';
 import type { Edit } from './findings';
 
 export interface WorkFile {
