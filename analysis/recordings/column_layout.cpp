@@ -2,6 +2,8 @@
 
 #include "analysis/recordings/decimal_number.hpp"
 #include "analysis/recordings/fields.hpp"
+#include "analysis/recordings/objects.hpp"
+#include "analysis/recordings/scaling.hpp"
 #include "analysis/recordings/text_encoding.hpp"
 #include "diagnostics/ascii.hpp"
 
@@ -117,7 +119,11 @@ Layout column_layout(std::vector<TextLine> const& header, std::vector<TextLine> 
     }
     if (times[i]) continue;
     ++made.groups.back().values;
-    recording.channels.push_back({.name = names[i], .column = i + 1, .clock = recording.clocks.size() - 1});
+    auto const unit = unit_in_brackets(names[i]);
+    recording.channels.push_back({.name = names[i],
+                                  .column = i + 1,
+                                  .clock = recording.clocks.size() - 1,
+                                  .unit = std::string(thousandths_in(unit) ? unit : std::string_view())});
   }
   return made;
 }

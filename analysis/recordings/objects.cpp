@@ -40,9 +40,17 @@ bool is_object(ObjectRow const& row, Channel const& channel) {
          *channel.index_offset <= UINT32_MAX;
 }
 
+/// What stands between `begin` and the end of the name, which is `end`; empty where it ends otherwise.
+std::string_view ending_in(std::string_view name, std::string_view begin, char end) {
+  auto const at = name.rfind(begin);
+  if (at == std::string_view::npos || at == 0 || !name.ends_with(end)) return {};
+  auto const first = at + begin.size();
+  return name.substr(first, name.size() - first - 1);
+}
+
 bool has_name(ObjectRow const& row, Channel const& channel) {
   return !row.symbol.empty() && (ascii::equal_ignoring_case(channel.symbol, row.symbol) ||
-                                 ascii::equal_ignoring_case(without_copy_number(channel.name), row.symbol));
+                                 ascii::equal_ignoring_case(plain_name(channel.name), row.symbol));
 }
 
 }  // namespace
@@ -73,12 +81,18 @@ std::string template_name(std::string_view axis, Object object) {
   return std::string(axis).append(" ").append(row_of(object).word);
 }
 
-std::string_view without_copy_number(std::string_view name) {
-  auto const begin = name.rfind(" (");
-  if (begin == std::string_view::npos || begin == 0 || !name.ends_with(')')) return name;
-  auto const number = name.substr(begin + 2, name.size() - begin - 3);
-  bool const is_number = !number.empty() && std::all_of(number.begin(), number.end(), ascii::is_digit);
-  return is_number ? name.substr(0, begin) : name;
+std::string_view plain_name(std::string_view name) {
+  auto const number = ending_in(name, " (", ')');
+  if (!number.empty() && std::all_of(number.begin(), number.end(), ascii::is_digit)) {
+    name.remove_suffix(number.size() + 3);
+  }
+  auto const unit = unit_in_brackets(name);
+  if (!unit.empty()) name.remove_suffix(unit.size() + 3);
+  return name;
+}
+
+std::string_view unit_in_brackets(std::string_view name) {
+  return ending_in(name, " [", ']');
 }
 
 }  // namespace axisc::recordings

@@ -67,7 +67,10 @@ struct RecognisedObject {
 /// "X filtered": the name that a template gives to the object of an axis.
 [[nodiscard]] std::string template_name(std::string_view axis, Object object);
 
-/// The name without what a scope appends to a copy: "x (1)" is a copy of "x".
-[[nodiscard]] std::string_view without_copy_number(std::string_view name);
+/// The name without a unit in brackets and without what a scope appends to a copy: "x" of "x [mm]" and of
+/// "x (1)".
+[[nodiscard]] std::string_view plain_name(std::string_view name);
+/// "mm" of "x [mm]"; empty where the name ends without brackets.
+[[nodiscard]] std::string_view unit_in_brackets(std::string_view name);
 
 }  // namespace axisc::recordings

@@ -58,8 +58,7 @@ std::vector<Candidate> candidates(RecordingFile const& file, AxisPlace const& ax
       if (is_of_axis(*found, axis)) by_index.push_back({i, FoundBy::object, found});
       continue;
     }
-    bool const is_named =
-        ascii::equal_ignoring_case(recordings::without_copy_number(channels[i].name), wanted);
+    bool const is_named = ascii::equal_ignoring_case(recordings::plain_name(channels[i].name), wanted);
     bool const is_other = found && found->is_by_index;
     if (is_named && !is_other) {
       by_name.push_back({i, FoundBy::name, RecognisedObject{.object = object}});
@@ -75,7 +74,7 @@ std::vector<Candidate> candidates(RecordingFile const& file, AxisPlace const& ax
 void leave_out_copies(RecordingFile const& file, std::vector<Candidate>& found) {
   auto const& channels = file.recording.channels;
   auto const base = [&](Candidate const& each) {
-    return recordings::without_copy_number(channels[each.channel].name);
+    return recordings::plain_name(channels[each.channel].name);
   };
   for (std::size_t i = 0; i < found.size(); ++i) {
     auto const is_copy = [&, i](Candidate const& other) {

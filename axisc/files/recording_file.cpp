@@ -1,5 +1,6 @@
 #include "axisc/files/recording_file.hpp"
 
+#include "analysis/recordings/objects.hpp"
 #include "analysis/recordings/recording_reader.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/codes.hpp"
@@ -66,6 +67,9 @@ std::size_t RecordingFile::channel_named(std::string const& wanted) const {
   }
   for (std::size_t i = 0; found.empty() && i < channels.size(); ++i) {
     if (channels[i].symbol == wanted) found.push_back(i);
+  }
+  for (std::size_t i = 0; found.empty() && i < channels.size(); ++i) {
+    if (recordings::plain_name(channels[i].name) == wanted) found.push_back(i);
   }
   auto const number = parse_count(wanted);
   for (std::size_t i = 0; found.empty() && number && i < channels.size(); ++i) {

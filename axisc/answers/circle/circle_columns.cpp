@@ -52,7 +52,7 @@ std::optional<ChosenColumn> named(RecordingFile const& file, std::string const& 
 std::optional<ChosenColumn> called_setpoint(RecordingFile const& file, std::string const& axis) {
   auto const& channels = file.recording.channels;
   auto const found = std::find_if(channels.begin(), channels.end(), [&](recordings::Channel const& channel) {
-    return ascii::equal_ignoring_case(channel.name, axis + " setpoint");
+    return ascii::equal_ignoring_case(recordings::plain_name(channel.name), axis + " setpoint");
   });
   if (found == channels.end()) return std::nullopt;
   return ChosenColumn{.channel = static_cast<std::size_t>(found - channels.begin()), .by = FoundBy::name};

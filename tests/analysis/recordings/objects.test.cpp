@@ -38,9 +38,14 @@ TEST_CASE("the control's names of objects") {
   REQUIRE(found);
   CHECK((found->object == Object::position_unfiltered && !found->is_by_index));
   CHECK(template_name("X", Object::position_filtered) == "X filtered");
-  CHECK(without_copy_number("x (1)") == "x");
-  CHECK(without_copy_number("x (a)") == "x (a)");
-  CHECK(without_copy_number("(1)") == "(1)");
+  CHECK(plain_name("x (1)") == "x");
+  CHECK(plain_name("x (a)") == "x (a)");
+  CHECK(plain_name("(1)") == "(1)");
+  CHECK(plain_name("x [mm]") == "x");
+  CHECK(plain_name("x [mm] (1)") == "x");
+  CHECK(plain_name("[mm]") == "[mm]");
+  CHECK(unit_in_brackets("x [mm]") == "mm");
+  CHECK(unit_in_brackets("x[0]").empty());
 }
 
 Channel scaled(std::string const& type, std::vector<double> const& values, Scale const& scale) {
