@@ -33,16 +33,17 @@ async function machineAt(program: Program, input: string): Promise<Machine | nul
 
 const machineOf = async (program: Program, input: string): Promise<string> => (await program.answer({ question: 'machine_of', input })).result;
 
-/** Paths of the machines among the files. */
-export async function machinesAmong(program: Program, paths: readonly string[]): Promise<string[]> {
+/** The machines among the files, by the paths of what describes them. */
+export async function machinesAmong(program: Program, paths: readonly string[]): Promise<Map<string, Machine>> {
   const list = paths.find((path) => /\.lis$/i.test(path));
   const candidates = paths.filter((path) => mayBeMachine.test(path)).slice(0, most);
   if (list !== undefined) candidates.push(await machineOf(program, list));
-  const found = new Set<string>();
+  const found = new Map<string, Machine>();
   for (const path of candidates) {
-    if (path !== list && !found.has(path) && (await machineAt(program, path))) found.add(path);
+    const machine = path === list || found.has(path) || !paths.includes(path) ? null : await machineAt(program, path);
+    if (machine) found.set(path, machine);
   }
-  return [...found].filter((path) => paths.includes(path)).sort();
+  return new Map([...found].sort(([a], [b]) => (a < b ? -1 : 1)));
 }
 
 /** The first fact of the answer for people is the cycle time, with its place in brackets. */

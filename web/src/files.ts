@@ -1,6 +1,6 @@
 // The open files, by what they are for: machine, axes, channels, programs.
 import { button, element } from './elements';
-import type { Facts } from './facts';
+import type { Machine } from './facts';
 import type { Finding } from './findings';
 import { say, type Key } from './texts';
 import type { Workspace } from './workspace';
@@ -15,26 +15,30 @@ interface Row {
   name: string;
 }
 
-function rowsOf({ paths, recordings }: Workspace, { path: machinePath, machine }: Facts): Row[] {
-  const axes = new Map<string, string[]>();
-  for (const { name, list } of machine?.axes ?? []) axes.set(list, [...(axes.get(list) ?? []), name]);
-  const groups = machine?.groups ?? [];
-  const rank = (path: string): number => [...axes.keys()].indexOf(path);
-  const rows = paths.map((path): Row => {
-    const group = groups.find((one) => one.channel_list === path);
-    if (path === machinePath && machine && !axes.has(path)) return { kind: 'kindMachine', path, name: machine.machine };
-    if (axes.has(path)) return { kind: 'kindAxes', path, name: (axes.get(path) ?? []).join(', ') };
-    if (path === machine?.default_list || path === machine?.default_channel_list) return { kind: 'kindDefaults', path, name: '' };
+type Machines = readonly (readonly [path: string, machine: Machine])[];
+
+/** What a file is for: in the first machine that has it. */
+function rowOf(path: string, machines: Machines, isRecording: boolean): Row {
+  for (const [described, machine] of machines) {
+    const axes = machine.axes.filter(({ list }) => list === path).map(({ name }) => name);
+    const group = machine.groups?.find((one) => one.channel_list === path);
+    if (axes.length > 0) return { kind: 'kindAxes', path, name: axes.join(', ') };
+    if (path === described) return { kind: 'kindMachine', path, name: machine.machine };
+    if (path === machine.default_list || path === machine.default_channel_list) return { kind: 'kindDefaults', path, name: '' };
     if (group) return { kind: 'kindChannels', path, name: group.name ?? group.axes.join('') };
-    if (isProgram(path)) return { kind: 'kindPrograms', path, name: '' };
-    if (recordings.includes(path)) return { kind: 'kindRecordings', path, name: '' };
-    return { kind: 'kindOthers', path, name: '' };
-  });
-  return rows.sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind) || rank(a.path) - rank(b.path) || a.path.localeCompare(b.path));
+  }
+  return { kind: isProgram(path) ? 'kindPrograms' : isRecording ? 'kindRecordings' : 'kindOthers', path, name: '' };
 }
 
-export function showFiles(list: HTMLElement, workspace: Workspace, facts: Facts, findings: readonly Finding[], shown: string, choose: (path: string) => void): void {
-  const rows = rowsOf(workspace, facts);
+function rowsOf({ paths, recordings }: Workspace, machines: Machines): Row[] {
+  const order = machines.flatMap(([, { axes }]) => axes.map(({ list }) => list));
+  return paths
+    .map((path) => rowOf(path, machines, recordings.includes(path)))
+    .sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind) || order.indexOf(a.path) - order.indexOf(b.path) || a.path.localeCompare(b.path));
+}
+
+export function showFiles(list: HTMLElement, workspace: Workspace, machines: Machines, findings: readonly Finding[], shown: string, choose: (path: string) => void): void {
+  const rows = rowsOf(workspace, machines);
   const counts = new Map<string, { count: number; worst: string }>();
   for (const { file, severity } of findings) {
     if (severity === 'note') continue;

@@ -56,19 +56,17 @@ export const countOf = (findings: readonly Finding[], severity: Severity): numbe
 const many = { error: ['oneError', 'manyErrors'], warning: ['oneWarning', 'manyWarnings'], note: ['oneNote', 'manyNotes'] } as const;
 export const counted = (severity: Severity, count: number): string => say(many[severity][count === 1 ? 0 : 1], { count });
 
-/** Findings that say the same, with the severest first, otherwise in their order. */
+/** Findings that say the same, the severest first, otherwise in their order. */
 function grouped(findings: readonly Finding[]): Finding[][] {
   const groups = new Map<string, Finding[]>();
-  for (const severity of severities) {
-    for (const finding of findings) {
-      if (finding.severity !== severity) continue;
-      const key = JSON.stringify([finding.code, finding.message, finding.fix?.title, finding.file === '' ? finding : null]);
-      const group = groups.get(key);
-      if (group) group.push(finding);
-      else groups.set(key, [finding]);
-    }
+  for (const finding of findings) {
+    const key = [finding.severity, finding.code, finding.message, finding.fix?.title].join('\n');
+    const group = groups.get(key);
+    if (group) group.push(finding);
+    else groups.set(key, [finding]);
   }
-  return [...groups.values()];
+  const rank = ([finding]: Finding[]): number => severities.indexOf(finding?.severity ?? 'note');
+  return [...groups.values()].sort((a, b) => rank(a) - rank(b));
 }
 
 export interface Actions {

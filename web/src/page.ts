@@ -239,9 +239,9 @@ export class Page {
     const { findings, checkedFiles } = this;
     const { facts, machines, safe } = this.survey;
     showVerdict({ findings, facts, files: checkedFiles, safe });
-    byId('machines-line').hidden = machines.length < 2;
-    byId('machines').replaceChildren(...machines.map((path) => new Option(path, path, false, path === facts.path)));
-    showFiles(byId('file-list'), this.workspace, facts, findings, this.shown, (path) => this.choose(path));
+    byId('machines-line').hidden = machines.size < 2;
+    byId('machines').replaceChildren(...[...machines.keys()].map((path) => new Option(path, path, false, path === facts.path)));
+    showFiles(byId('file-list'), this.workspace, facts.machine ? [[facts.path, facts.machine], ...machines] : [...machines], findings, this.shown, (path) => this.choose(path));
   }
 
   private go(finding: Finding): void {

@@ -1,7 +1,7 @@
 // What is asked about the open files after they were checked, when there is time: their machines, and what --fix
 // would repair.
 import { decode } from './encoding';
-import { factsOf, machinesAmong, noFacts, type Facts } from './facts';
+import { factsOf, machinesAmong, noFacts, type Facts, type Machine } from './facts';
 import type { Finding } from './findings';
 import type { Changed, Program } from './program';
 import type { Workspace } from './workspace';
@@ -27,8 +27,8 @@ function repairedBy(files: Changed, findings: readonly Finding[], workspace: Wor
 
 export class Survey {
   facts: Facts = noFacts;
-  /** Paths of the machines among the files. */
-  machines: string[] = [];
+  /** The machines among the files, by their paths. */
+  machines = new Map<string, Machine>();
   /** How many findings `lint --fix` repairs. */
   safe = 0;
   private waiting = 0;
@@ -39,17 +39,17 @@ export class Survey {
   ) {}
 
   forget(): void {
-    [this.facts, this.machines, this.safe] = [noFacts, [], 0];
+    [this.facts, this.machines, this.safe] = [noFacts, new Map(), 0];
   }
 
   /** The first machine of new files. */
   async begin(): Promise<string | undefined> {
     const { program, workspace } = this.page;
-    const machines = workspace.files.size > 1 ? await machinesAmong(program, workspace.paths) : [];
+    const machines = workspace.files.size > 1 ? await machinesAmong(program, workspace.paths) : new Map<string, Machine>();
     if (workspace !== this.page.workspace) return undefined;
     this.machines = machines;
     this.soon();
-    return machines[0];
+    return [...machines.keys()][0];
   }
 
   soon(): void {
