@@ -55,6 +55,24 @@ function(axisc_without_sanitizers)
   endif()
 endfunction()
 
+# What a shared library contains: position-independent, and its names stay inside unless a header shows them.
+# Programs link the same objects, so that nothing is compiled twice.
+function(axisc_shareable target)
+  if(AXISC_SHARED)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden
+      CXX_VISIBILITY_PRESET hidden)
+  endif()
+endfunction()
+
+# The shared library libNAME.so.ABI of objects that are a target already; it shows the names in the version script.
+function(axisc_shared_library target name abi script)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} VERSION ${abi}.${PROJECT_VERSION} SOVERSION ${abi}
+    LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib" LINK_DEPENDS "${script}")
+  if(NOT APPLE)
+    target_link_options(${target} PRIVATE "LINKER:--version-script=${script}" LINKER:--no-undefined,-Bsymbolic-functions)
+  endif()
+endfunction()
+
 # The standard headers, read once for all libraries: half of what most sources cost to compile. No source
 # relies on it: the tidy preset and the cross-built runtime compile without.
 set(AXISC_STANDARD_HEADERS <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map>
@@ -64,15 +82,16 @@ function(axisc_standard_headers)
   file(CONFIGURE OUTPUT "${source}" CONTENT "// Nothing: its target precompiles the standard headers.\n")
   add_library(axisc_standard_headers OBJECT "${source}")
   axisc_compile_options(axisc_standard_headers)
+  axisc_shareable(axisc_standard_headers)
   target_precompile_headers(axisc_standard_headers PRIVATE ${AXISC_STANDARD_HEADERS})
 endfunction()
 
 # axisc_library(grammar DEPENDS diagnostics PRIVATE_DEPENDS Boost::headers)
 # makes the target axisc_grammar of all sources in the folder and below it, except those under EXCEPT (paths
 # relative to the folder); SOURCES adds sources that the build writes. DEPENDS without "::" are folders of
-# this project. HEADERS are included by nearly all of its sources: read once, together with the standard ones.
+# this project. OF_PROGRAM: no part of libaxisc. HEADERS are included by nearly all of its sources: read once, together with the standard ones.
 function(axisc_library folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "OF_PROGRAM" "" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS;HEADERS" ${ARGN})
   set(target axisc_${folder})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp")
   foreach(except IN LISTS ARG_EXCEPT)
@@ -81,6 +100,10 @@ function(axisc_library folder)
   add_library(${target} STATIC ${sources} ${ARG_SOURCES})
   add_library(axisc::${folder} ALIAS ${target})
   axisc_compile_options(${target})
+  if(NOT ARG_OF_PROGRAM)
+    axisc_shareable(${target})
+    set_property(GLOBAL APPEND PROPERTY AXISC_LIBRARIES ${target})
+  endif()
   if(ARG_HEADERS)
     list(TRANSFORM ARG_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/" REGEX "^[a-z_/]+[.]hpp$")
     target_precompile_headers(${target} PRIVATE ${AXISC_STANDARD_HEADERS} ${ARG_HEADERS})

@@ -70,8 +70,11 @@ Failure unusable_image(std::string const& path, axisrt_status status) {
 }
 
 ImageFile load_image(std::string const& path) {
-  auto const text = read_whole(path);
-  codegen::AlignedBytes bytes(std::as_bytes(std::span(text)));
+  return image_of_bytes(path, read_whole(path));
+}
+
+ImageFile image_of_bytes(std::string const& path, std::string_view image) {
+  codegen::AlignedBytes bytes(std::as_bytes(std::span(image)));
   auto contents = image::read_image(bytes.bytes());
   if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
   return {.bytes = std::move(bytes), .contents = std::get<image::ImageContents>(std::move(contents))};

@@ -23,6 +23,8 @@ struct ImageFile {
 /// Reads and verifies; "-" is standard input. Failure AX9001 for a file that cannot be read, AX9004 for a
 /// damaged image or a file that is not an image.
 [[nodiscard]] ImageFile load_image(std::string const& path);
+/// The bytes of an image that lies elsewhere; `path` is its name in messages.
+[[nodiscard]] ImageFile image_of_bytes(std::string const& path, std::string_view image);
 
 /// Failure AX9004 with the status of the runtime.
 [[nodiscard]] Failure unusable_image(std::string const& path, axisrt_status status);

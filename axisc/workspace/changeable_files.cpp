@@ -11,10 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty where there is nothing of that name.
+/// As far as it exists: unsaved text may have no file.
 fs::path resolved(std::string const& name) {
   std::error_code error;
-  auto const found = fs::canonical(system::path_of(name), error);
+  auto const found = fs::weakly_canonical(fs::absolute(system::path_of(name), error), error);
   return error ? fs::path() : found;
 }
 

@@ -72,11 +72,6 @@ void declare(CommandLine& command_line, DiffOptions& options) {
   command_line.flag("--exit-code", options.exit_code, says::option_exit_code);
 }
 
-/// The two sides of a comparison; they are one where two axes of a machine are compared.
-struct Sides {
-  std::shared_ptr<ComparedMachine> before, after;
-};
-
 /// Lists name each other from a folder above them, so that the copy of a folder may lead back to the
 /// original.
 void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& after,
@@ -96,27 +91,7 @@ void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& aft
   }
 }
 
-/// None where there is nothing to compare; errors are printed.
-std::optional<Sides> load_sides(Workspace& workspace, DiffOptions const& options,
-                                Invocation const& invocation, bool color) {
-  Sides sides;
-  sides.before = compared_machine(workspace, options.inputs.front(), printed_errors(invocation, color));
-  sides.after = options.inputs.size() == 1
-                    ? sides.before
-                    : compared_machine(workspace, options.inputs.back(), printed_errors(invocation, color));
-  if (!sides.before || !sides.after) return std::nullopt;
-  warn_of_same_list(*sides.before, *sides.after, invocation);
-  // A list alone does not say its NC cycle time: that of the other side counts.
-  auto const& known = sides.before->cycle_time_known ? *sides.before : *sides.after;
-  auto& unknown = sides.before->cycle_time_known ? sides.after : sides.before;
-  if (known.cycle_time_known && !unknown->cycle_time_known && unknown->image && unknown->input != "-") {
-    workspace.assume(known.cycle_time);
-    unknown = compared_machine(workspace, unknown->input, printed_errors(invocation, color));
-  }
-  return sides;
-}
-
-MachineDifference compare(DiffOptions const& options, Sides const& sides) {
+MachineDifference compare(DiffOptions const& options, ComparedSides const& sides) {
   if (options.axes.empty()) return compare_machines(*sides.before, *sides.after, options.all);
   return compare_axes(*sides.before, axis_called(*sides.before, options.axes.front()), *sides.after,
                       axis_called(*sides.after, options.axes.back()), options.all);
@@ -145,8 +120,10 @@ ExitStatus diff(Invocation const& invocation) {
   double const feed = options.feed ? positive_number("--feed", *options.feed) : feed_otherwise;
   Workspace workspace(overrides_with(options.cycle_time, options.schema_files));
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto const sides = load_sides(workspace, options, invocation, color);
+  auto const sides = compared_sides(workspace, options.inputs.front(), options.inputs.back(),
+                                    printed_errors(invocation, color));
   if (!sides) return ExitStatus::findings;
+  warn_of_same_list(*sides->before, *sides->after, invocation);
 
   auto const difference = compare(options, *sides);
   bool const of_one_machine = difference.of_one_machine;

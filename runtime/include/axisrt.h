@@ -3,7 +3,7 @@
  * Life of a controller task:
  *   at start   axisrt_memory_size, axisrt_create (verifies the image, copies coefficients, runs self-tests)
  *   per axis   axisrt_reset to the axis' actual position, before its first step
- *   per cycle  axisrt_step, axisrt_step_interface, axisrt_step_velocity
+ *   per cycle  axisrt_step, axisrt_step_interface, axisrt_step_velocity; or axisrt_run for a block of cycles
  *   between    axisrt_command, when the NC program switches filters
  *
  * The caller owns all memory; nothing here allocates, locks, does input or output, throws or recurses.
@@ -24,6 +24,9 @@
 
 #ifdef __cplusplus
 extern "C" {
+#endif
+#if defined(__ELF__)
+#pragma GCC visibility push(default) /* what a shared library shows */
 #endif
 
 /* The result of a call. 0 is success; values never change meaning. */
@@ -218,6 +221,13 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
  * Cost: constant for a given image, whatever the values are; while kernels change over (axisrt_command), that
  * of one kernel more for each axis that does. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
+
+/* A block of cycles: axisrt_step for one row of `in` after the other, without a command in between. `in`,
+ * `out` and, unless it is null, `status` hold `values` entries, a row of all axes for each cycle. `in` may
+ * equal `out`. Returns the worst status of all cycles, or AXISRT_BAD_ARGUMENT, and nothing is executed, for a
+ * null pointer, for `values` that are not whole rows, and for arrays that overlap in part. 0 values are 0
+ * cycles. Cost: that of the cycles. */
+axisrt_status axisrt_run(axisrt* runtime, const double* in, double* out, size_t values, uint8_t* status);
 
 /* The limit beyond which axisrt_step calls an output implausible, for axes whose list gives P-AXIS-00212 (v
  * per cycle): with P the largest gain_high of the axis' chain with any kernel that its slot can execute, from
@@ -428,6 +438,9 @@ typedef struct axisrt_axis_state {
 /* AXISRT_BAD_ARGUMENT for a null pointer or a wrong axis. Cost: constant. May be called in the cycle. */
 axisrt_status axisrt_get_axis_state(const axisrt* runtime, uint32_t axis, axisrt_axis_state* state);
 
+#if defined(__ELF__)
+#pragma GCC visibility pop
+#endif
 #ifdef __cplusplus
 }
 #endif

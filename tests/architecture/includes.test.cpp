@@ -36,7 +36,7 @@ std::map<std::string, std::string> const libraries = {
     {"presentation", "presentation"},
     {"axisc", "axisc"},
     {"editor", "editor"},
-    {"interface", "web/interface"},
+    {"interface", "axisc/interface"},
     {"cli", "cli"},
 };
 
@@ -68,7 +68,8 @@ std::map<std::string, std::set<std::string>> const may_include = {
      {"axisc", "presentation", "pictures", "motion", "image", "codegen", "validator", "configuration",
       "machine", "design", "schema", "grammar", "diagnostics"}},
     {"interface",
-     {"axisc", "editor", "presentation", "pictures", "codegen", "validator", "configuration", "diagnostics"}},
+     {"axisc", "editor", "presentation", "pictures", "image", "codegen", "validator", "configuration",
+      "diagnostics", "system"}},
     {"cli",
      {"axisc", "editor", "presentation", "pictures", "motion", "tuning", "comparison", "recordings", "image",
       "codegen", "validator", "configuration", "machine", "design", "schema", "grammar", "diagnostics",

@@ -1,14 +1,15 @@
 // axisc.h gives what the program gives: the page and other languages see one verdict.
+#include "axisc/axisc.h"
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
-#include "web/interface/axisc.h"
 
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -25,7 +26,8 @@ using Json = nlohmann::json;
 
 class Opened {
  public:
-  explicit Opened(std::string const& options = "{}") : status(axisc_open(options.c_str(), &workspace_)) {}
+  explicit Opened(std::string const& options = "{}", axisc_files const* files = nullptr)
+      : status(axisc_open(options.c_str(), files, &workspace_)) {}
   Opened(Opened const&) = delete;
   Opened& operator=(Opened const&) = delete;
   ~Opened() { axisc_close(workspace_); }
@@ -37,6 +39,18 @@ class Opened {
     std::string result(bytes.data != nullptr ? bytes.data : "", bytes.size);
     axisc_free(&bytes);
     return result;
+  }
+  std::string fix(std::string const& path) {
+    auto const repair = [](axisc_workspace* workspace, char const* file, axisc_bytes* changed) {
+      return axisc_fix(workspace, file, AXISC_FIX_SAFE, changed);
+    };
+    return call(repair, path);
+  }
+  std::string compile(std::string const& path, char const* options = nullptr) {
+    auto const make = [options](axisc_workspace* workspace, char const* file, axisc_bytes* image) {
+      return axisc_compile(workspace, file, options, image, nullptr);
+    };
+    return call(make, path);
   }
   void put(std::string const& path, std::string const& bytes) {
     status = axisc_put(workspace_, path.c_str(), bytes.data(), bytes.size());
@@ -82,7 +96,7 @@ TEST_CASE("axisc.h finds in every sample what lint finds") {
     auto const found = findings_in(opened.call(axisc_check, path));
     auto const lint = run_axisc({"lint", "--format", "json", path});
     CHECK(found == findings_in(lint.out));
-    CHECK(opened.status == lint.status);
+    CHECK((opened.status < 0 ? 2 : opened.status) == lint.status);
   }
 }
 
@@ -95,7 +109,7 @@ TEST_CASE("axisc.h finds in a folder what lint finds") {
           findings_in(run_axisc({"lint", "--lang", "de", "--format", "json", path}).out));
   }
   opened.call(axisc_check, samples + "/none");
-  CHECK(opened.status == AXISC_FAILED);
+  CHECK(opened.status == AXISC_NOT_FOUND);
   CHECK(opened.error().find("nicht lesbar") != std::string::npos);
 }
 
@@ -106,11 +120,31 @@ TEST_CASE("axisc.h compiles the image that compile writes") {
     INFO(input);
     auto const path = samples + "/" + input;
     Opened opened;
-    auto const bytes = opened.call(axisc_compile, path);
+    auto const bytes = opened.compile(path);
     CHECK(opened.status == AXISC_OK);
     REQUIRE(run_axisc({"compile", "-o", image, path}).status == 0);
     CHECK(bytes == bytes_of(image));
   }
+  auto const mill = samples + "/mill";
+  REQUIRE(
+      run_axisc({"compile", "-o", image, mill, "--strip", "--no-bounds", "--image-version", "7"}).status ==
+      0);
+  Opened opened;
+  CHECK(opened.compile(mill, R"({"strip": "yes", "bounds": "no", "image_version": "7"})") == bytes_of(image));
+  CHECK(opened.compile(mill, R"({"image_version": "-1"})").empty());
+  CHECK(opened.status == AXISC_BAD_ARGUMENT);
+}
+
+TEST_CASE("axisc.h gives the findings of what it compiles") {
+  Opened opened;
+  auto const list = samples + "/tutorial/machine.json";
+  axisc_bytes image{};
+  axisc_bytes findings{};
+  CHECK(axisc_compile(opened.get(), list.c_str(), nullptr, &image, &findings) == AXISC_FINDINGS);
+  CHECK(image.data == nullptr);
+  CHECK(findings_in(std::string(findings.data, findings.size)) ==
+        findings_in(opened.call(axisc_check, list)));
+  axisc_free(&findings);
 }
 
 TEST_CASE("axisc.h repairs as lint --fix does, and writes nothing") {
@@ -119,7 +153,7 @@ TEST_CASE("axisc.h repairs as lint --fix does, and writes nothing") {
   fs::copy_file(samples + "/mistakes/typing.lis", list);
   auto const before = bytes_of(list);
   Opened opened;
-  CHECK(Json::parse(opened.call(axisc_fix, list)) == Json::array({list}));
+  CHECK(Json::parse(opened.fix(list)) == Json::array({list}));
   auto const repaired = opened.call(axisc_read, list);
   CHECK(bytes_of(list) == before);
   static_cast<void>(run_axisc({"lint", "--fix", list}));
@@ -136,7 +170,7 @@ TEST_CASE("axisc.h takes unsaved text in the place of a file, and settings as th
   CHECK(findings_in(opened.call(axisc_check, list)).empty());
   CHECK(axisc_drop(opened.get(), list.c_str()) == AXISC_OK);
   opened.call(axisc_check, list);
-  CHECK(opened.status == AXISC_FAILED);
+  CHECK(opened.status == AXISC_NOT_FOUND);
 }
 
 TEST_CASE("axisc.h answers in the formats of the commands") {
@@ -147,6 +181,22 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
         run_axisc({"machine", "--format", "json", mill}).out);
   CHECK(ask({{"question", "contour"}, {"input", mill}, {"format", "csv"}}) ==
         run_axisc({"contour", "--format", "csv", mill}).out);
+  CHECK(ask({{"question", "get"}, {"input", mill}, {"words", "X filter[0].order"}}) ==
+        run_axisc({"get", mill, "X", "filter[0].order"}).out);
+  auto const y = samples + "/tutorial/y.lis";
+  CHECK(ask({{"question", "diff"}, {"before", y}, {"input", mill}}) == run_axisc({"diff", y, mill}).out);
+  TemporaryFolder const folder;
+  auto const image = folder / "mill.axim";
+  REQUIRE(run_axisc({"compile", "-o", image, mill}).status == 0);
+  auto const as_bytes = bytes_of(image);
+  for (auto const* const question : {"inspect", "response"}) {
+    auto const wanted = run_axisc({question, image, "--axis", "X", "--format", "json"}).out;
+    CHECK(ask({{"question", question}, {"input", image}, {"axis", "X"}, {"format", "json"}}) == wanted);
+    opened.put("elsewhere.axim", as_bytes);
+    auto answer =
+        ask({{"question", question}, {"input", "elsewhere.axim"}, {"axis", "X"}, {"format", "json"}});
+    CHECK(answer.size() > 100);
+  }
   CHECK(ask({{"question", "explain"}, {"word", "AX3005"}, {"format", "markdown"}}) ==
         run_axisc({"explain", "AX3005"}).out);
   CHECK(ask({{"question", "report"}, {"input", mill}}) == run_axisc({"report", mill, "-o", "-"}).out);
@@ -162,25 +212,25 @@ TEST_CASE("axisc.h says what is wrong with a question") {
   Opened opened;
   auto const wrong = [&](std::string const& question) {
     CHECK(opened.call(axisc_answer, question).empty());
-    CHECK(opened.status == AXISC_FAILED);
+    CHECK(opened.status == AXISC_BAD_ARGUMENT);
     return opened.error();
   };
   CHECK(wrong("soon").find("JSON object") != std::string::npos);
-  CHECK(wrong(R"({"question": "weather"})").find("machine, machine_of, contour") != std::string::npos);
+  CHECK(wrong(R"({"question": "weather"})").find("machine, machine_of, get") != std::string::npos);
   CHECK(wrong(R"({"question": "machine", "file": "x"})").find("\"file\"") != std::string::npos);
   CHECK(wrong(R"({"question": "machine", "input": 1})").find("texts") != std::string::npos);
   CHECK(wrong(R"({"question": "picture", "input": ".", "kind": "cat"})").find("response, step") !=
         std::string::npos);
   opened.call(axisc_answer,
-              Json({{"question", "contour"}, {"input", samples + "/mistakes/range.lis"}}).dump());
+              Json({{"question", "contour"}, {"input", samples + "/mistakes/typing.lis"}}).dump());
   CHECK(opened.status != AXISC_OK);
   CHECK_FALSE(opened.error().empty());
-  CHECK(Opened(R"({"cycle_time": "soon"})").status == AXISC_FAILED);
-  CHECK(Opened("{").status == AXISC_FAILED);
+  CHECK(Opened(R"({"cycle_time": "soon"})").status == AXISC_BAD_ARGUMENT);
+  CHECK(Opened("{").status == AXISC_BAD_ARGUMENT);
   CHECK(Opened(R"({"language": "fr"})").error().find("en, de") != std::string::npos);
   CHECK(Opened(R"({"lang": "de"})").error().find("cycle_time") != std::string::npos);
-  CHECK(opened.call(axisc_fix, samples + "/none.lis").empty());
-  CHECK(opened.status == AXISC_FAILED);
+  CHECK(opened.fix(samples + "/none.lis").empty());
+  CHECK(opened.status == AXISC_NOT_FOUND);
   CHECK(opened.error().find("none.lis") != std::string::npos);
 }
 
@@ -202,4 +252,110 @@ TEST_CASE("axisc.h speaks the protocol of language servers") {
   auto const told =
       send({message({{"method", "textDocument/didOpen"}, {"params", {{"textDocument", document}}}})});
   CHECK(told.dump().find("AX1006") != std::string::npos);
+}
+
+TEST_CASE("workspaces in many threads find what one finds") {
+  auto const list = samples + "/mill/machine.json";
+  Opened alone;
+  auto const wanted = alone.call(axisc_check, list);
+  std::vector<std::string> found(64);
+  std::vector<std::thread> threads;
+  for (std::size_t first = 0; first < 8; ++first) {
+    threads.emplace_back([&, first] {
+      for (std::size_t i = first; i < found.size(); i += 8) found[i] = Opened().call(axisc_check, list);
+    });
+  }
+  for (auto& thread : threads) thread.join();
+  CHECK(found == std::vector<std::string>(found.size(), wanted));
+}
+
+TEST_CASE("axisc.h refuses null pointers, unknown numbers and workspaces that were not opened") {
+  axisc_bytes bytes{};
+  CHECK(axisc_abi_version() == AXISC_ABI_VERSION);
+  CHECK(axisc_open("{}", nullptr, nullptr) == AXISC_BAD_ARGUMENT);
+  CHECK(axisc_check(nullptr, "x.lis", &bytes) == AXISC_BAD_ARGUMENT);
+  CHECK(std::string(axisc_error(nullptr)).empty());
+  axisc_close(nullptr);
+  axisc_cancel(nullptr);
+  axisc_free(nullptr);
+  Opened opened;
+  CHECK(axisc_check(opened.get(), nullptr, &bytes) == AXISC_BAD_ARGUMENT);
+  CHECK(axisc_check(opened.get(), "x.lis", nullptr) == AXISC_BAD_ARGUMENT);
+  CHECK(opened.error().find("null") != std::string::npos);
+  CHECK(axisc_fix(opened.get(), "x.lis", 2, &bytes) == AXISC_BAD_ARGUMENT);
+  CHECK(axisc_put(opened.get(), "x.lis", nullptr, 1) == AXISC_BAD_ARGUMENT);
+  CHECK(axisc_put(opened.get(), "x.lis", nullptr, 0) == AXISC_OK);
+  CHECK(axisc_check(opened.get(), "\xff.lis", &bytes) == AXISC_BAD_ARGUMENT);
+  CHECK(axisc_copy(&bytes, nullptr, 1) == AXISC_BAD_ARGUMENT);
+  axisc_files files{};
+  CHECK(Opened("{}", &files).status == AXISC_BAD_ARGUMENT);
+  Opened refused(R"({"language": "fr"})");
+  auto const why = refused.error();
+  CHECK(refused.call(axisc_check, samples).empty());
+  CHECK(refused.status == AXISC_BAD_ARGUMENT);
+  CHECK(why != refused.error());
+}
+
+namespace {
+
+/// Files of a caller: they count how often they are asked for, and what happens then.
+struct Shelf {
+  std::string text;
+  int result = AXISC_OK;
+  int asked = 0;
+  axisc_workspace* cancelled = nullptr;
+  axisc_workspace* called = nullptr;  ///< checks once more within the callback
+  int called_result = 0;
+
+  static int read(void* context, char const* path, axisc_bytes* file) {
+    auto& shelf = *static_cast<Shelf*>(context);
+    ++shelf.asked;
+    axisc_bytes findings{};
+    if (shelf.cancelled != nullptr) axisc_cancel(shelf.cancelled);
+    if (shelf.called != nullptr) shelf.called_result = axisc_check(shelf.called, path, &findings);
+    if (std::string(path) != "shelf/x.lis") return AXISC_NOT_FOUND;
+    static_cast<void>(axisc_copy(file, shelf.text.data(), shelf.text.size()));
+    return shelf.result;
+  }
+  static int list(void* /*context*/, char const* /*folder*/, axisc_bytes* names) {
+    return axisc_copy(names, "x.lis", 5);  // without the NUL at its end
+  }
+  axisc_files files() {
+    return {.size = sizeof(axisc_files), .reserved = 0, .context = this, .read = read, .list = list};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("axisc.h reads files by the caller's functions, each once in a call") {
+  Shelf shelf{.text = "kopf.achs_nr 01\n"};
+  auto const files = shelf.files();
+  Opened opened(R"({"cycle_time": "1ms"})", &files);
+  CHECK(findings_in(opened.call(axisc_check, "shelf/x.lis")).at(0).at("code") == "AX1006");
+  CHECK(opened.call(axisc_read, "shelf/x.lis") == shelf.text);
+  opened.call(axisc_check, samples + "/mill/x.lis");
+  CHECK(opened.status == AXISC_NOT_FOUND);  // it is on the disk alone
+}
+
+TEST_CASE("axisc.h outlives functions that fail, lie, cancel or call again") {
+  Shelf shelf{.text = "kopf.achs_nr 1\n"};
+  auto const files = shelf.files();
+  Opened opened(R"({"cycle_time": "1ms"})", &files);
+  for (int const result : {static_cast<int>(AXISC_UNUSABLE), 1, 77, -77}) {
+    shelf.result = result;
+    opened.call(axisc_check, "shelf/x.lis");
+    CHECK(opened.status == AXISC_UNUSABLE);
+    CHECK_FALSE(opened.error().empty());
+  }
+  shelf.result = AXISC_OK;
+  shelf.called = opened.get();
+  opened.call(axisc_check, "shelf/x.lis");
+  CHECK(opened.status == AXISC_OK);
+  CHECK(shelf.called_result == AXISC_BUSY);
+  shelf.cancelled = opened.get();
+  CHECK(opened.call(axisc_check, "shelf/x.lis").empty());
+  CHECK(opened.status == AXISC_CANCELLED);
+  shelf.cancelled = nullptr;
+  opened.call(axisc_check, "shelf/x.lis");
+  CHECK(opened.status == AXISC_OK);
 }

@@ -128,6 +128,7 @@ TEST_CASE("no function of the runtime allocates, at any level") {
     in[0] = in[1] = i;
     axisrt_step(runtime, in, out, status);
     axisrt_step_interface(runtime, in, out, status);
+    axisrt_run(runtime, in, out, 2, status);
     axisrt_get_axis_state(runtime, 0, &state);
   }
   axisrt_rebase(runtime, 0, -100);

@@ -4,6 +4,9 @@ const bytesOf = (program, address) => {
   const [data, size] = program.HEAPU32.subarray(address >> 2, (address >> 2) + 2);
   return program.HEAPU8.slice(data, data + size);
 };
+const safe = 0;  // AXISC_FIX_SAFE
+const [noOptions, noFindings] = [0, 0];
+const failed = 2;  // as exit status
 const textOf = (bytes) => new TextDecoder().decode(bytes);
 
 /** Calls `use` with the addresses of texts. Texts of any length: the stack of the program is small. */
@@ -40,7 +43,7 @@ export class Axisc {
   constructor(program, options = {}) {
     this.#program = program;
     const opened = program._malloc(4);
-    const status = withTexts(program, [JSON.stringify(options)], (text) => program._axisc_open(text, opened));
+    const status = withTexts(program, [JSON.stringify(options)], (text) => program._axisc_open(text, 0, opened));
     this.#workspace = program.HEAPU32[opened >> 2];
     program._free(opened);
     this.error = status === 0 ? '' : this.#error();
@@ -75,11 +78,11 @@ export class Axisc {
   }
 
   fix(path) {
-    return this.#call('fix', path, (bytes) => (bytes.length === 0 ? [] : JSON.parse(textOf(bytes))));
+    return this.#call('fix', path, (bytes) => (bytes.length === 0 ? [] : JSON.parse(textOf(bytes))), [safe]);
   }
 
   compile(path) {
-    return this.#call('compile', path, (bytes) => bytes);
+    return this.#call('compile', path, (bytes) => bytes, [noOptions], [noFindings]);
   }
 
   answer(question) {
@@ -93,10 +96,11 @@ export class Axisc {
     return JSON.parse(result);
   }
 
-  #call(name, text, take) {
+  /** `before` and `after`: what some functions take beside the text and the address of the result. */
+  #call(name, text, take, before = [], after = []) {
     const program = this.#program;
-    const { status, bytes } = withTexts(program, [text], (address) => withResult(program, (result) => program[`_axisc_${name}`](this.#workspace, address, result)));
-    return { status, result: take(bytes), error: status === 0 ? '' : this.#error() };
+    const { status, bytes } = withTexts(program, [text], (address) => withResult(program, (result) => program[`_axisc_${name}`](this.#workspace, address, ...before, result, ...after)));
+    return { status: status < 0 ? failed : status, result: take(bytes), error: status === 0 ? '' : this.#error() };
   }
 
   #error() {

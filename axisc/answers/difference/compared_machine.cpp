@@ -179,7 +179,7 @@ std::unique_ptr<ComparedMachine> compared_machine(Workspace& workspace, std::str
                                                  *error == configuration::FileError::binary);
   if (error != nullptr && !may_be_image) throw unreadable(path, *error);
   if (may_be_image || is_image(std::get<std::string>(read))) {
-    side->image = load_image(path);
+    side->image = may_be_image ? load_image(path) : image_of_bytes(path, std::get<std::string>(read));
     fill_from_image(*side, workspace.options_of(path).catalogue);
     return side;
   }
@@ -191,6 +191,20 @@ std::unique_ptr<ComparedMachine> compared_machine(Workspace& workspace, std::str
   if (side->loaded->axes.empty()) return nullptr;
   FromLists(*side).fill();
   return side;
+}
+
+std::optional<ComparedSides> compared_sides(Workspace& workspace, std::string const& before,
+                                            std::string const& after, ErrorSink const& errors) {
+  ComparedSides sides{.before = compared_machine(workspace, before, errors), .after = {}};
+  sides.after = after == before ? sides.before : compared_machine(workspace, after, errors);
+  if (!sides.before || !sides.after) return std::nullopt;
+  auto const& known = sides.before->cycle_time_known ? *sides.before : *sides.after;
+  auto& unknown = sides.before->cycle_time_known ? sides.after : sides.before;
+  if (known.cycle_time_known && !unknown->cycle_time_known && unknown->image && unknown->input != "-") {
+    workspace.assume(known.cycle_time);
+    unknown = compared_machine(workspace, unknown->input, errors);
+  }
+  return sides;
 }
 
 }  // namespace axisc

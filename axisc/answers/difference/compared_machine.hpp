@@ -76,4 +76,14 @@ struct ComparedMachine {
                                                                 std::string const& input,
                                                                 ErrorSink const& errors);
 
+/// The two sides of a comparison; one object where both are one input.
+struct ComparedSides {
+  std::shared_ptr<ComparedMachine> before, after;
+};
+
+/// As compared_machine(); none where one of them is no axis. A list alone does not say its NC cycle time:
+/// that of the other side counts.
+[[nodiscard]] std::optional<ComparedSides> compared_sides(Workspace& workspace, std::string const& before,
+                                                          std::string const& after, ErrorSink const& errors);
+
 }  // namespace axisc

@@ -1,16 +1,21 @@
-#include "web/interface/questions.hpp"
+#include "axisc/interface/questions.hpp"
 
 #include "axisc/answers/contour/contour_answer.hpp"
 #include "axisc/answers/contour/delay_budget_answer.hpp"
+#include "axisc/answers/difference/difference_answer.hpp"
+#include "axisc/answers/execution/response_answer.hpp"
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/figures/picture_answer.hpp"
+#include "axisc/answers/inspect/inspect_answer.hpp"
 #include "axisc/answers/machine/machine_answer.hpp"
 #include "axisc/answers/report/report_answer.hpp"
+#include "axisc/answers/values/values_answer.hpp"
+#include "axisc/asked/frequencies.hpp"
+#include "axisc/asked/quantities.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "axisc/environment/failure.hpp"
+#include "axisc/files/disk_files.hpp"
 #include "presentation/pictures/svg.hpp"
 #include "presentation/writers.hpp"
-#include "web/interface/asked.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +29,7 @@ constexpr Sentence not_a_question{R"("{question}" is not a question: {known})",
                                   R"("{question}" ist keine Frage: {known})"};
 }  // namespace axisc::says
 
-namespace axisc::web {
+namespace axisc::interface {
 
 namespace {
 
@@ -57,6 +62,48 @@ Answer contour(Workspace& workspace, Asked const& asked, ErrorSink const& errors
 Answer delay_budget(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
   auto const found = delay_budget_answer(workspace, {.machine = {.input = asked.text("input")}}, errors);
   return found ? Answer(written(*found, asked, errors.language)) : std::nullopt;
+}
+
+Answer get(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  ValuesQuestion const question{.machine = {.input = asked.text("input")},
+                                .words = split_list(asked.text("words"), ' ')};
+  return written(values_answer(workspace, question), asked, errors.language);
+}
+
+Answer diff(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  auto const before = asked.text("before");
+  auto const after = asked.text("input");
+  auto const sides = compared_sides(workspace, before, after, errors);
+  if (!sides) return std::nullopt;
+  auto const difference = compare_machines(*sides->before, *sides->after, false);
+  return written(difference_answer({.before = before, .after = after, .difference = difference}), asked,
+                 errors.language);
+}
+
+ImageFile asked_image(Workspace const& workspace, std::string const& path) {
+  auto const put = workspace.unsaved().find(path);
+  return image_of_bytes(path,
+                        put != workspace.unsaved().end() ? put->second : read_whole(path, Dash::is_a_name));
+}
+
+Answer inspect(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  InspectQuestion const question{.image = asked.text("input"), .axis = asked.find("axis")};
+  return written(inspect_answer(question, asked_image(workspace, question.image)), asked, errors.language);
+}
+
+Answer response(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  static constexpr std::array ports = {std::pair(std::string_view("setpoint"), Port::setpoint),
+                                       std::pair(std::string_view("interface"), Port::interface),
+                                       std::pair(std::string_view("velocity"), Port::velocity)};
+  ResponseQuestion question;
+  question.image = asked.text("input");
+  question.axis = asked.find("axis");
+  question.port = asked.word("port", ports);
+  auto const file = asked_image(workspace, question.image);
+  if (auto const list = asked.find("frequencies")) {
+    question.frequencies = parse_frequencies(*list, file.contents.cycle_time);
+  }
+  return written(response_answer(question, file), asked, errors.language);
 }
 
 Answer picture(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
@@ -95,17 +142,19 @@ struct Question {
 constexpr std::array questions = {
     Question{.name = "machine", .keys = "input format", .answer = machine},
     Question{.name = "machine_of", .keys = "input", .answer = machine_of},
+    Question{.name = "get", .keys = "input words format", .answer = get},
     Question{.name = "contour", .keys = "input format", .answer = contour},
     Question{.name = "delay_budget", .keys = "input format", .answer = delay_budget},
+    Question{.name = "diff", .keys = "input before format", .answer = diff},
+    Question{.name = "inspect", .keys = "input axis format", .answer = inspect},
+    Question{.name = "response", .keys = "input axis port frequencies format", .answer = response},
     Question{.name = "picture", .keys = "input kind axis group before program plant move", .answer = picture},
     Question{.name = "report", .keys = "input before", .answer = report},
     Question{.name = "explain", .keys = "word format", .answer = explain}};
 
 }  // namespace
 
-std::optional<std::string> answer(Workspace& workspace, std::string const& question,
-                                  ErrorSink const& errors) {
-  Asked const asked(question);
+std::optional<std::string> answer(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
   auto const name = asked.text("question");
   auto const* const found = std::find_if(questions.begin(), questions.end(),
                                          [&name](Question const& row) { return row.name == name; });
@@ -115,7 +164,7 @@ std::optional<std::string> answer(Workspace& workspace, std::string const& quest
   }
   std::string known;
   for (auto const& row : questions) known.append(known.empty() ? "" : ", ").append(row.name);
-  throw Failure({says::not_a_question, {{"question", name}, {"known", known}}});
+  throw BadArgument({says::not_a_question, {{"question", name}, {"known", known}}});
 }
 
-}  // namespace axisc::web
+}  // namespace axisc::interface

@@ -7,13 +7,23 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-namespace axisc::web {
+namespace axisc::interface {
 
-/// A Failure names what is wrong with the object, and what would be right.
+/// Of the caller's program, not of files: AXISC_BAD_ARGUMENT.
+class BadArgument : public Failure {
+ public:
+  using Failure::Failure;
+};
+
+/// A BadArgument names what is wrong with the object, and what would be right.
 class Asked {
  public:
-  explicit Asked(std::string const& json);
+  /// Null: an object without keys. `keys`: all that there may be, with blanks between them; for a question,
+  /// refuse_others() tells them.
+  explicit Asked(char const* json) : Asked(json, {}) {}
+  Asked(char const* json, std::optional<std::string_view> keys);
 
   [[nodiscard]] std::optional<std::string> find(std::string const& key) const;
   [[nodiscard]] std::string text(std::string const& key) const { return find(key).value_or(""); }
@@ -30,14 +40,16 @@ class Asked {
     throw unknown_word(key, *wanted, known);
   }
 
-  /// `keys`: all that there may be, with blanks between them.
   void refuse_others(std::string_view keys) const;
 
- private:
-  [[nodiscard]] static Failure unknown_word(std::string const& key, std::string const& word,
-                                            std::string const& known);
+  [[nodiscard]] static BadArgument unknown_word(std::string const& key, std::string const& word,
+                                                std::string const& known);
 
+ private:
   std::map<std::string, std::string> values_;
 };
 
-}  // namespace axisc::web
+/// A JSON array of texts.
+[[nodiscard]] std::vector<std::string> asked_texts(char const* json);
+
+}  // namespace axisc::interface
