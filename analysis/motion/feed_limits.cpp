@@ -46,7 +46,7 @@ CircleVelocities::CircleVelocities(std::span<ChainAnswer const> answers)
     : answers_(answers), step_(finest_change(answers) / steps_per_change), errors_{0}, highest_{0} {}
 
 double CircleVelocities::error(double angle) const {
-  return predict_circle(answers_, std::min(angle, std::numbers::pi), 1).largest_axis_error();
+  return largest_circle_error(answers_, std::min(angle, std::numbers::pi), 1);
 }
 
 /// Between two steps there may be a hump that is higher than both.

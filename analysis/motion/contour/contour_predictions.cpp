@@ -68,25 +68,46 @@ std::complex<double> gain(ChainAnswer const& answer, double theta) {
 struct Circle {
   std::complex<double> x, y;
 
-  Circle(Plane const& plane, double velocity, double radius) {
-    double const theta = velocity / radius;
-    // The delay of the first axis is not a deviation: both axes are measured from there.
-    auto const seen = std::polar(1.0, theta * plane.first.delay);
-    x = radius * gain(plane.first, theta) * seen;
-    y = radius * gain(plane.second, theta) * seen;
-  }
-  [[nodiscard]] Point at(double angle) const {
-    auto const setpoint = std::polar(1.0, angle);
+  [[nodiscard]] Point at(std::complex<double> setpoint) const {
     Point point{};
     point[0] = (x * setpoint).real();
     point[1] = (y * setpoint).imag();
     return point;
   }
+  /// From the nominal circle, of all points: the semi-axes of the ellipse are (|x + y| ± |x - y|) / 2.
+  [[nodiscard]] double largest_distance(double radius) const {
+    double const sum = std::abs(x + y);
+    double const difference = std::abs(x - y);
+    return std::max(std::abs((sum + difference) / 2 - radius),
+                    std::abs(std::abs(sum - difference) / 2 - radius));
+  }
 };
 
-ContourFigures circle(Plane const& plane, double velocity, double radius) {
-  constexpr int directions = 3600;
-  Circle const filtered(plane, velocity, radius);
+/// What an axis makes of a circle, seen `delay` cycles later.
+std::complex<double> component(ChainAnswer const& answer, double delay, double velocity, double radius) {
+  double const theta = velocity / radius;
+  return radius * gain(answer, theta) * std::polar(1.0, theta * delay);
+}
+
+/// The delay of the first axis is not a deviation: both axes are measured from there.
+Circle circle_in(Plane const& plane, double velocity, double radius) {
+  return {.x = component(plane.first, plane.first.delay, velocity, radius),
+          .y = component(plane.second, plane.first.delay, velocity, radius)};
+}
+
+/// Setpoints of half a circle of radius 1: the other half deviates in the same way.
+std::vector<std::complex<double>> const& directions() {
+  static auto const made = [] {
+    constexpr int count = 3600;
+    std::vector<std::complex<double>> setpoints;
+    for (int i = 0; i < count / 2; ++i)
+      setpoints.push_back(std::polar(1.0, 2 * std::numbers::pi * i / count));
+    return setpoints;
+  }();
+  return made;
+}
+
+ContourFigures measure(Circle const& filtered, double radius) {
   auto const& [x, y] = filtered;
   ContourFigures figures;
   if (x == y) {
@@ -94,8 +115,8 @@ ContourFigures circle(Plane const& plane, double velocity, double radius) {
     figures.axis_error[0] = figures.axis_error[1] = figures.deviation;
     return figures;
   }
-  for (int i = 0; i < directions; ++i) {
-    Point const point = filtered.at(2 * std::numbers::pi * i / directions);
+  for (auto const& setpoint : directions()) {
+    Point const point = filtered.at(setpoint);
     double const px = point[0];
     double const py = point[1];
     double const distance = std::hypot(px, py);
@@ -146,8 +167,27 @@ ContourFigures predict_line(std::span<ChainAnswer const> answers, double velocit
 }
 
 ContourFigures predict_circle(std::span<ChainAnswer const> answers, double velocity, double radius) {
-  return over_planes(answers,
-                     [&](Plane const& plane, std::size_t) { return circle(plane, velocity, radius); });
+  return over_planes(answers, [&](Plane const& plane, std::size_t) {
+    return measure(circle_in(plane, velocity, radius), radius);
+  });
+}
+
+double largest_circle_error(std::span<ChainAnswer const> answers, double velocity, double radius) {
+  std::vector<Circle> circles;
+  auto const x = component(answers[0], answers[0].delay, velocity, radius);
+  for (auto const& other : answers.subspan(answers.size() == 1 ? 0 : 1)) {
+    circles.push_back({.x = x, .y = component(other, answers[0].delay, velocity, radius)});
+  }
+  std::sort(circles.begin(), circles.end(), [radius](Circle const& a, Circle const& b) {
+    return a.largest_distance(radius) > b.largest_distance(radius);
+  });
+  double largest = 0;
+  for (auto const& one : circles) {
+    // No axis deviates by more than the path does.
+    if (one.largest_distance(radius) <= largest) break;
+    largest = std::max(largest, measure(one, radius).largest_axis_error());
+  }
+  return largest;
 }
 
 double predict_parallel(std::span<ChainAnswer const> answers, double velocity) {
@@ -167,10 +207,11 @@ std::vector<Point> corner_path(ChainAnswer const& first, ChainAnswer const& seco
 
 std::vector<Point> circle_path(ChainAnswer const& first, ChainAnswer const& second, double velocity,
                                double radius, std::size_t points) {
-  Circle const filtered({.first = first, .second = second}, velocity, radius);
+  auto const filtered = circle_in({.first = first, .second = second}, velocity, radius);
   std::vector<Point> path;
   for (std::size_t i = 0; i < points; ++i) {
-    path.push_back(filtered.at(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points)));
+    double const angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points);
+    path.push_back(filtered.at(std::polar(1.0, angle)));
   }
   return path;
 }

@@ -41,6 +41,10 @@ struct ContourFigures {
 [[nodiscard]] ContourFigures predict_circle(std::span<ChainAnswer const> answers, double velocity,
                                             double radius);
 
+/// The largest axis error of predict_circle(), which is not computed for planes that cannot have it.
+[[nodiscard]] double largest_circle_error(std::span<ChainAnswer const> answers, double velocity,
+                                          double radius);
+
 /// A straight line halfway between two axes: 0 where their delays are equal.
 [[nodiscard]] ContourFigures predict_line(std::span<ChainAnswer const> answers, double velocity);
 

@@ -113,6 +113,7 @@ TEST_CASE("a circle shrinks by the kernel's gain") {
     double const theta = per_cycle(feed) / radius;
     double const gain = std::sin(41 * theta / 2) / (41 * std::sin(theta / 2));
     auto const figures = predict_circle(answers, per_cycle(feed), radius);
+    CHECK(largest_circle_error(answers, per_cycle(feed), radius) == figures.largest_axis_error());
     CHECK(figures.deviation == Approx(radius * (1 - gain)).epsilon(1e-6));
     CHECK(figures.axis_error[0] == Approx(radius * (1 - gain)).epsilon(1e-6));
     CHECK(figures.axis_error[1] == Approx(radius * (1 - gain)).epsilon(1e-6));
