@@ -81,6 +81,12 @@ std::optional<Coefficients> fitted(std::span<Turn const> turns, double radius, d
 
 }  // namespace
 
+double Causes::largest_spike(std::size_t axis) const {
+  double largest = 0;
+  for (std::size_t i = axis; i < spikes.size(); i += 2) largest = std::max(largest, spikes.at(i));
+  return largest;
+}
+
 std::optional<Causes> causes_of(std::span<Turn const> turns, double radius) {
   auto const model = fitted(turns, radius, after_reversal);
   auto const wider = fitted(turns, radius, long_after_reversal);

@@ -14,6 +14,7 @@
 #include "analysis/circle/turn.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -31,6 +32,9 @@ struct Causes {
   /// Largest residual within 20° after a reversal, µm: counterclockwise at u+, v+, u-, v-, then clockwise.
   std::array<double, 8> spikes{};
   double unexplained_rms = 0;  ///< µm, outside the windows
+
+  /// Of the four of an axis, 0 for u, 1 for v.
+  [[nodiscard]] double largest_spike(std::size_t axis) const;
 };
 
 /// Of two turns in different directions; `radius` is R in µm. None where the turns do not decide.

@@ -21,7 +21,8 @@ struct PredictedCircle {
 
   /// Distance from the centre - R, at this angle from u to v.
   [[nodiscard]] double deviation_at(double angle, Sense sense) const;
-  /// G and G(b) are the difference of the semi-axes, F the semi-axes - R, D the mean radius over the angle - R.
+  /// G and G(b) are the difference of the semi-axes, F is the semi-axes - R, D the mean radius over the
+  /// angle - R.
   [[nodiscard]] Deviations deviations() const;
   /// R ((A + B)/2 - 1).
   [[nodiscard]] double radius_deviation() const { return radius * ((gain_u - 1) + (gain_v - 1)) / 2; }

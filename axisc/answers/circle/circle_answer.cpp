@@ -17,8 +17,7 @@ constexpr Sentence one_circle{"{u}/{v}, r {radius}, F {feed}", "{u}/{v}, r {radi
 constexpr Sentence figure{"figure", "Kenngröße"};
 constexpr Sentence predicted{"predicted", "vorhergesagt"};
 constexpr Sentence recorded{"recorded", "aufgezeichnet"};
-constexpr Sentence deviation_g03{"circular deviation G, G03", "Kreisformabweichung G, G03"};
-constexpr Sentence deviation_g02{"circular deviation G, G02", "Kreisformabweichung G, G02"};
+constexpr Sentence deviation{"circular deviation G, {u} → {v}", "Kreisformabweichung G, {u} → {v}"};
 constexpr Sentence bidirectional{"bidirectional G(b)", "in beiden Richtungen G(b)"};
 constexpr Sentence mean_radial{"mean radial deviation D", "mittlere Radialabweichung D"};
 constexpr Sentence radial_max{"radial deviation F, max", "Radialabweichung F, max"};
@@ -47,8 +46,9 @@ constexpr Sentence exceeds{"{deviation} exceeds the tolerance of {tolerance}",
                            "{deviation} überschreitet die Toleranz von {tolerance}"};
 constexpr Sentence round{"the filters leave the circle round", "die Filter lassen den Kreis rund"};
 constexpr Sentence inseparable{
-    "backlash and friction cannot be told apart; larger radius or lower feed",
-    "Lose und Reibung sind nicht zu unterscheiden; größerer Radius oder kleinerer Vorschub"};
+    "backlash and friction cannot be told apart; larger radius or lower feed; the delay is known to ±{time}",
+    "Lose und Reibung sind nicht zu unterscheiden; größerer Radius oder kleinerer Vorschub; die Verzögerung "
+    "ist auf ±{time} bekannt"};
 constexpr Sentence one_direction{
     "one direction: G and F only; record the other direction as well for D, G(b) and the causes",
     "eine Richtung: nur G und F; für D, G(b) und die Ursachen auch die andere Richtung aufzeichnen"};
@@ -77,6 +77,8 @@ constexpr std::size_t enough_points = 360;
 /// Of the largest cause, and in µm: smaller ones need no remedy.
 constexpr double notable_share = 0.1;
 constexpr double notable_um = 0.1;
+/// What friction that cannot be told from backlash may add to the way of a delay.
+constexpr double inseparable_um = 0.15;
 
 /// By Causes::spikes.
 constexpr std::array<std::string_view, 8> spike_places{"ccw u+", "ccw v+", "ccw u-", "ccw v-",
@@ -179,12 +181,13 @@ Table for_people(SentenceRef head, bool is_recorded) {
 
 Table deviations_table(CircleCase const& one) {
   auto table = for_people(says::figure, one.recorded.has_value());
-  auto const add = [&](SentenceRef name, auto const& figure) {
-    table.rows.push_back({Words(name), um(figure(one.deviations))});
+  auto const add = [&](Words name, auto const& figure) {
+    table.rows.push_back({std::move(name), um(figure(one.deviations))});
     if (one.recorded) table.rows.back().push_back(um(figure(one.recorded->deviations)));
   };
-  add(says::deviation_g03, [](Deviations const& of) { return of.counterclockwise; });
-  add(says::deviation_g02, [](Deviations const& of) { return of.clockwise; });
+  add(of_axes(says::deviation, one), [](Deviations const& of) { return of.counterclockwise; });
+  add(Words(says::deviation, {{"u", one.axes[1]}, {"v", one.axes[0]}}),
+      [](Deviations const& of) { return of.clockwise; });
   add(says::bidirectional, [](Deviations const& of) { return of.bidirectional; });
   add(says::mean_radial, [](Deviations const& of) { return of.mean_radial; });
   add(says::radial_max, [](Deviations const& of) { return of.radial_max; });
@@ -212,18 +215,11 @@ Table causes_table(CircleCase const& one) {
   if (recorded == nullptr) return table;
   add(one.recorded->is_external ? says::squareness : says::cross_term, {},
       [&](Causes const& found) { return per_million(found.squareness); });
-  for (std::size_t i = 0; i < one.axes.size(); ++i) {
-    if (!recorded->is_separable) break;
+  for (std::size_t i = 0; i < one.axes.size() && recorded->is_separable; ++i) {
     add(Words(says::backlash, {{"axis", one.axes.at(i)}}), {},
         [i](Causes const& found) { return um(found.backlash.at(i)); });
-  }
-  for (std::size_t i = 0; i < one.axes.size(); ++i) {
-    add(Words(says::spike, {{"axis", one.axes.at(i)}}), {}, [i](Causes const& found) {
-      double largest = 0;
-      for (std::size_t k = i; k < found.spikes.size(); k += 2)
-        largest = std::max(largest, found.spikes.at(k));
-      return um(largest);
-    });
+    add(Words(says::spike, {{"axis", one.axes.at(i)}}), {},
+        [i](Causes const& found) { return um(found.largest_spike(i)); });
   }
   add(says::unexplained, {}, [](Causes const& found) { return um(found.unexplained_rms); });
   return table;
@@ -239,7 +235,11 @@ void add_remarks(std::vector<Block>& blocks, RecordedCircle const& recorded) {
   if (recorded.reference == CircleReference::filtered_setpoint) {
     blocks.emplace_back(Paragraph{says::filtered_setpoint});
   }
-  if (recorded.causes && !recorded.causes->is_separable) blocks.emplace_back(Paragraph{says::inseparable});
+  if (recorded.causes && !recorded.causes->is_separable) {
+    double const speed = recorded.radius * recorded.angular_speed;
+    blocks.emplace_back(Paragraph{
+        Words(says::inseparable, {{"time", rounded(inseparable_um / speed * ppm, Unit::microsecond, 2)}})});
+  }
 }
 
 void add_remedies(std::vector<Block>& blocks, CircleCase const& one) {

@@ -173,16 +173,13 @@ std::vector<CircleCause> recorded_causes(CircleCase const& one) {
       {recorded.is_external ? says::squareness : says::cross_term, radius * std::abs(square),
        Words(recorded.is_external ? says::not_square : says::crossed, {{"angle", angle}})},
       {Words(says::delay, {{"u", one.axes[0]}, {"v", one.axes[1]}}), bent, delay_remedy(one, seconds, bent)}};
-  for (std::size_t i = 0; i < one.axes.size(); ++i) {
+  for (std::size_t i = 0; i < one.axes.size() && found.is_separable; ++i) {
     auto const& axis = one.axes.at(i);
     double const play = found.backlash.at(i);
-    double spike = 0;
-    for (std::size_t k = i; k < found.spikes.size(); k += 2) spike = std::max(spike, found.spikes.at(k));
-    if (found.is_separable) {
-      causes.push_back(
-          {Words(says::backlash, {{"axis", axis}}), std::abs(play),
-           Words(play > 0 ? says::loses : says::overcompensated, {{"axis", axis}, {"size", um(play)}})});
-    }
+    double const spike = found.largest_spike(i);
+    causes.push_back(
+        {Words(says::backlash, {{"axis", axis}}), std::abs(play),
+         Words(play > 0 ? says::loses : says::overcompensated, {{"axis", axis}, {"size", um(play)}})});
     causes.push_back({Words(says::spike, {{"axis", axis}}), spike,
                       Words(says::sticks, {{"axis", axis}, {"size", um(spike)}})});
   }

@@ -16,10 +16,8 @@ constexpr Sentence circular_title{"Circular test {circle}, deviations × {factor
 constexpr Sentence several_circles{"Circular test", "Kreisformtest"};
 constexpr Sentence magnified{"{circle}, deviations × {factor}", "{circle}, Abweichungen × {factor}"};
 constexpr Sentence described{"{circle}: G {deviation} µm", "{circle}: G {deviation} µm"};
-constexpr Sentence counterclockwise{"G03 (ccw)", "G03 (gegen den Uhrzeigersinn)"};
-constexpr Sentence clockwise{"G02 (cw)", "G02 (im Uhrzeigersinn)"};
-constexpr Sentence predicted_g03{"predicted, G03", "vorhergesagt, G03"};
-constexpr Sentence predicted_g02{"predicted, G02", "vorhergesagt, G02"};
+constexpr Sentence direction{"{u} → {v}", "{u} → {v}"};
+constexpr Sentence predicted_direction{"predicted, {u} → {v}", "vorhergesagt, {u} → {v}"};
 constexpr Sentence programmed{"programmed radius", "programmierter Radius"};
 constexpr Sentence tolerance{"tolerance", "Toleranz"};
 constexpr Sentence bars{"what each cause adds", "was jede Ursache beiträgt"};
@@ -104,25 +102,20 @@ class CircularFigure {
     if (is_one) figure_.title = say(says::circular_title, {{"circle", title}, {"factor", factor}});
     panel.add_ring(0, say(says::programmed));
     add_rings(panel, one);
+    auto const style = [&](Sense sense, bool is_predicted) {
+      bool const is_first = sense == Sense::counterclockwise;
+      return pictures::Curve{
+          .name = say(is_predicted ? says::predicted_direction : says::direction,
+                      {{"u", one.axes.at(is_first ? 0 : 1)}, {"v", one.axes.at(is_first ? 1 : 0)}}),
+          .role = is_predicted ? pictures::Role::before : pictures::Role::whole,
+          .colour = is_first ? std::size_t{0} : std::size_t{1},
+          .points = {}};
+    };
     for (auto const sense : {Sense::counterclockwise, Sense::clockwise}) {
-      bool const is_g03 = sense == Sense::counterclockwise;
-      auto const name = one.recorded ? say(is_g03 ? says::predicted_g03 : says::predicted_g02)
-                                     : say(is_g03 ? says::counterclockwise : says::clockwise);
-      panel.add({.name = name,
-                 .role = one.recorded ? pictures::Role::before : pictures::Role::whole,
-                 .colour = is_g03 ? std::size_t{0} : std::size_t{1},
-                 .points = {}},
-                predicted_path(one.predicted, sense));
+      panel.add(style(sense, one.recorded.has_value()), predicted_path(one.predicted, sense));
     }
     if (one.recorded) {
-      for (auto const& turn : one.recorded->turns) {
-        bool const is_g03 = turn.sense == Sense::counterclockwise;
-        panel.add({.name = say(is_g03 ? says::counterclockwise : says::clockwise),
-                   .role = pictures::Role::whole,
-                   .colour = is_g03 ? std::size_t{0} : std::size_t{1},
-                   .points = {}},
-                  recorded_path(turn));
-      }
+      for (auto const& turn : one.recorded->turns) panel.add(style(turn.sense, false), recorded_path(turn));
     }
     auto drawn = std::move(panel).take();
     if (!is_one) {

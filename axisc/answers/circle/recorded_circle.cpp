@@ -35,8 +35,8 @@ constexpr Sentence few_points{
     "{file}: {points} Punkte in einer Umdrehung, nötig sind {fewest}; jeden NC-Zyklus aufzeichnen oder den "
     "Vorschub verringern"};
 constexpr Sentence same_direction{
-    "{file}: another recording has this direction already ({direction}); give one turn of each direction",
-    "{file}: Eine andere Aufzeichnung hat diese Richtung bereits ({direction}); eine Umdrehung je Richtung "
+    "{file}: another recording has this direction already ({u} → {v}); give one turn of each direction",
+    "{file}: Eine andere Aufzeichnung hat diese Richtung bereits ({u} → {v}); eine Umdrehung je Richtung "
     "angeben"};
 constexpr Sentence other_radius{
     "{file}: the radii of the two directions are {first} mm and {second} mm; record both with one program",
@@ -216,12 +216,17 @@ class CircleReader {
     return turns;
   }
 
+  [[nodiscard]] std::string const& name(std::size_t axis) const {
+    return machine_.machine.axes[plane_.at(axis)].name;
+  }
+
   void add(std::string const& file, Turn turn) {
     bool const is_there = std::any_of(found_.turns.begin(), found_.turns.end(),
                                       [&](Turn const& other) { return other.sense == turn.sense; });
     if (is_there) {
       throw refusal(says::same_direction, file,
-                    {{"direction", turn.sense == Sense::clockwise ? "G02" : "G03"}});
+                    {{"u", name(turn.sense == Sense::clockwise ? 1 : 0)},
+                     {"v", name(turn.sense == Sense::clockwise ? 0 : 1)}});
     }
     found_.points = found_.turns.empty() ? turn.samples.size() : std::min(found_.points, turn.samples.size());
     found_.turns.push_back(std::move(turn));
