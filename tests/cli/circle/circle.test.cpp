@@ -1,5 +1,6 @@
 // The circular test at the command line. The sample is computed by another program,
-// tests/analysis/circle/circle_recordings.py: a moving average of 21 values, X 0.15 ms later than Y, 3 µm of backlash in X, spikes of 4 µm in Y.
+// tests/analysis/circle/circle_recordings.py: a moving average of 21 values, X 0.15 ms later than
+// Y, 3 µm of backlash in X, spikes of 4 µm in Y.
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -86,10 +87,10 @@ TEST_CASE("circle: the answer in words, in both languages") {
     auto const predicted =
         sample.run({"--feed", "1000,3000", "--radius", "10", "--tolerance", "10", "--lang", language});
     CHECK(predicted.status == 0);
-    check_golden("tests/cli/data/golden/circle.predicted." + language + ".text", predicted.out);
+    check_golden("tests/cli/circle/data/predicted." + language + ".text", predicted.out);
     auto const recorded = sample.run({"ccw.csv", "cw.csv", "--lang", language});
     CHECK(recorded.status == 0);
-    check_golden("tests/cli/data/golden/circle.recorded." + language + ".text", recorded.out);
+    check_golden("tests/cli/circle/data/recorded." + language + ".text", recorded.out);
   }
 }
 
