@@ -46,9 +46,8 @@ constexpr Sentence exceeds{"{deviation} exceeds the tolerance of {tolerance}",
                            "{deviation} überschreitet die Toleranz von {tolerance}"};
 constexpr Sentence round{"the filters leave the circle round", "die Filter lassen den Kreis rund"};
 constexpr Sentence inseparable{
-    "backlash and friction cannot be told apart; larger radius or lower feed; the delay is known to ±{time}",
-    "Lose und Reibung sind nicht zu unterscheiden; größerer Radius oder kleinerer Vorschub; die Verzögerung "
-    "ist auf ±{time} bekannt"};
+    "backlash and friction cannot be told apart; larger radius or lower feed",
+    "Lose und Reibung sind nicht zu unterscheiden; größerer Radius oder kleinerer Vorschub"};
 constexpr Sentence one_direction{
     "one direction: G and F only; record the other direction as well for D, G(b) and the causes",
     "eine Richtung: nur G und F; für D, G(b) und die Ursachen auch die andere Richtung aufzeichnen"};
@@ -77,8 +76,6 @@ constexpr std::size_t enough_points = 360;
 /// Of the largest cause, and in µm: smaller ones need no remedy.
 constexpr double notable_share = 0.1;
 constexpr double notable_um = 0.1;
-/// What friction that cannot be told from backlash may add to the way of a delay.
-constexpr double inseparable_um = 0.15;
 
 /// By Causes::spikes.
 constexpr std::array<std::string_view, 8> spike_places{"ccw u+", "ccw v+", "ccw u-", "ccw v-",
@@ -235,11 +232,7 @@ void add_remarks(std::vector<Block>& blocks, RecordedCircle const& recorded) {
   if (recorded.reference == CircleReference::filtered_setpoint) {
     blocks.emplace_back(Paragraph{says::filtered_setpoint});
   }
-  if (recorded.causes && !recorded.causes->is_separable) {
-    double const speed = recorded.radius * recorded.angular_speed;
-    blocks.emplace_back(Paragraph{
-        Words(says::inseparable, {{"time", rounded(inseparable_um / speed * ppm, Unit::microsecond, 2)}})});
-  }
+  if (recorded.causes && !recorded.causes->is_separable) blocks.emplace_back(Paragraph{says::inseparable});
 }
 
 void add_remedies(std::vector<Block>& blocks, CircleCase const& one) {
