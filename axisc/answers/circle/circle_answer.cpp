@@ -1,7 +1,7 @@
 #include "axisc/answers/circle/circle_answer.hpp"
 
+#include "axisc/answers/circle/circle_tables.hpp"
 #include "axisc/answers/execution/mapping_table.hpp"
-#include "axisc/answers/labels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,26 +14,6 @@ namespace axisc::says {
 constexpr Sentence title{"circular test, NC cycle time {cycle_time}",
                          "Kreisformtest, NC-Zykluszeit {cycle_time}"};
 constexpr Sentence one_circle{"{u}/{v}, r {radius}, F {feed}", "{u}/{v}, r {radius}, F {feed}"};
-constexpr Sentence figure{"figure", "Kenngröße"};
-constexpr Sentence predicted{"predicted", "vorhergesagt"};
-constexpr Sentence recorded{"recorded", "aufgezeichnet"};
-constexpr Sentence deviation{"circular deviation G, {u} → {v}", "Kreisformabweichung G, {u} → {v}"};
-constexpr Sentence bidirectional{"bidirectional G(b)", "in beiden Richtungen G(b)"};
-constexpr Sentence mean_radial{"mean radial deviation D", "mittlere Radialabweichung D"};
-constexpr Sentence radial_max{"radial deviation F, max", "Radialabweichung F, max"};
-constexpr Sentence radial_min{"radial deviation F, min", "Radialabweichung F, min"};
-constexpr Sentence hysteresis{"hysteresis", "Umkehrspanne"};
-constexpr Sentence cause{"cause", "Ursache"};
-constexpr Sentence radius{"radius", "Radius"};
-constexpr Sentence gain{"gain {u} - {v} [µm/m]", "Verstärkung {u} - {v} [µm/m]"};
-constexpr Sentence delay{"delay {u} - {v}", "Verzögerung {u} - {v}"};
-constexpr Sentence squareness{"squareness [µm/m]", "Rechtwinkligkeit [µm/m]"};
-constexpr Sentence cross_term{"cross term [µm/m]", "Kreuzterm [µm/m]"};
-constexpr Sentence backlash{"backlash {axis}", "Lose {axis}"};
-constexpr Sentence spike{"reversal spike {axis}", "Umkehrspitze {axis}"};
-constexpr Sentence unexplained{"unexplained, rms", "nicht erklärt, Effektivwert"};
-constexpr Sentence filter{"filter", "Filter"};
-constexpr Sentence of_radius{"radius", "Radius"};
 constexpr Sentence definitions{"G, G(b), D and F after ISO 230-4:2005, as secondary sources give it",
                                "G, G(b), D und F nach ISO 230-4:2005, wie Sekundärquellen es wiedergeben"};
 constexpr Sentence filters_are_on{
@@ -83,14 +63,6 @@ constexpr std::array<std::string_view, 8> spike_places{"ccw u+", "ccw v+", "ccw 
 /// By CircleReference.
 constexpr std::array<std::string_view, 3> references{"setpoint", "filtered-setpoint", "least-squares"};
 
-Value um(std::optional<double> value) {
-  return value ? Value(fixed(*value, Unit::micrometre, 2)) : Value();
-}
-
-Words of_axes(SentenceRef sentence, CircleCase const& one) {
-  return {sentence, {{"u", one.axes[0]}, {"v", one.axes[1]}}};
-}
-
 Facts deviation_data(Deviations const& of) {
   return {{data("circular_deviation_um", of.counterclockwise, "ccw"),
            data("circular_deviation_um", of.clockwise, "cw"),
@@ -98,22 +70,6 @@ Facts deviation_data(Deviations const& of) {
            data("mean_radial_deviation_um", of.mean_radial),
            data("radial_deviation_um", of.radial_max, "max"),
            data("radial_deviation_um", of.radial_min, "min"), data("hysteresis_um", of.hysteresis)}};
-}
-
-Table filters_table(CircleCase const& one) {
-  Table table{.key = "filters_um",
-              .columns = {head_column("axis", labels::axis), column("filter", says::filter),
-                          column("radius_um", says::of_radius, Unit::micrometre),
-                          column("delay_us", labels::delay, Unit::microsecond)},
-              .rows = {}};
-  for (std::size_t i = 0; i < one.axes.size(); ++i) {
-    for (auto const& share : one.filtered.at(i).shares) {
-      table.rows.push_back({one.axes.at(i), share.filter,
-                            fixed(one.predicted.radius * (share.gain - 1), Unit::micrometre, 3),
-                            fixed(share.delay_s * ppm, Unit::microsecond, 1)});
-    }
-  }
-  return table;
 }
 
 Section prediction_data(CircleCase const& one) {
@@ -167,61 +123,6 @@ Section recording_data(RecordedCircle const& recorded) {
   return section;
 }
 
-Table for_people(SentenceRef head, bool is_recorded) {
-  Table table{.key = {},
-              .columns = {head_column({}, head), column({}, says::predicted)},
-              .rows = {},
-              .audience = Audience::people};
-  if (is_recorded) table.columns.push_back(column({}, says::recorded));
-  return table;
-}
-
-Table deviations_table(CircleCase const& one) {
-  auto table = for_people(says::figure, one.recorded.has_value());
-  auto const add = [&](Words name, auto const& figure) {
-    table.rows.push_back({std::move(name), um(figure(one.deviations))});
-    if (one.recorded) table.rows.back().push_back(um(figure(one.recorded->deviations)));
-  };
-  add(of_axes(says::deviation, one), [](Deviations const& of) { return of.counterclockwise; });
-  add(Words(says::deviation, {{"u", one.axes[1]}, {"v", one.axes[0]}}),
-      [](Deviations const& of) { return of.clockwise; });
-  add(says::bidirectional, [](Deviations const& of) { return of.bidirectional; });
-  add(says::mean_radial, [](Deviations const& of) { return of.mean_radial; });
-  add(says::radial_max, [](Deviations const& of) { return of.radial_max; });
-  add(says::radial_min, [](Deviations const& of) { return of.radial_min; });
-  add(says::hysteresis, [](Deviations const& of) { return of.hysteresis; });
-  return table;
-}
-
-Table causes_table(CircleCase const& one) {
-  auto const* const recorded = one.recorded && one.recorded->causes ? &*one.recorded->causes : nullptr;
-  auto table = for_people(says::cause, recorded != nullptr);
-  auto const add = [&](Words name, Value predicted, auto const& found) {
-    table.rows.push_back({std::move(name), std::move(predicted)});
-    if (recorded != nullptr) table.rows.back().push_back(found(*recorded));
-  };
-  auto const per_million = [](double value) { return Value(fixed(value * ppm, Unit::none, 1)); };
-  auto const time = [](double seconds) { return Value(fixed(seconds * ppm, Unit::microsecond, 1)); };
-  using circle::Causes;
-  add(says::radius, um(one.predicted.radius_deviation()),
-      [](Causes const& found) { return um(found.radius); });
-  add(of_axes(says::gain, one), per_million(one.predicted.gain_u - one.predicted.gain_v),
-      [&](Causes const& found) { return per_million(found.gain_difference); });
-  add(of_axes(says::delay, one), time(one.delay_difference_s()),
-      [&](Causes const& found) { return time(found.delay_difference / one.recorded->angular_speed); });
-  if (recorded == nullptr) return table;
-  add(one.recorded->is_external ? says::squareness : says::cross_term, {},
-      [&](Causes const& found) { return per_million(found.squareness); });
-  for (std::size_t i = 0; i < one.axes.size() && recorded->is_separable; ++i) {
-    add(Words(says::backlash, {{"axis", one.axes.at(i)}}), {},
-        [i](Causes const& found) { return um(found.backlash.at(i)); });
-    add(Words(says::spike, {{"axis", one.axes.at(i)}}), {},
-        [i](Causes const& found) { return um(found.largest_spike(i)); });
-  }
-  add(says::unexplained, {}, [](Causes const& found) { return um(found.unexplained_rms); });
-  return table;
-}
-
 /// What a reader has to know about the recording.
 void add_remarks(std::vector<Block>& blocks, RecordedCircle const& recorded) {
   if (recorded.turns.size() < 2) blocks.emplace_back(Paragraph{says::one_direction});
@@ -268,9 +169,9 @@ std::vector<Block> circle_blocks(CircularTest const& test, CircleCase const& one
   if (!filters.rows.empty()) blocks.emplace_back(std::move(filters));
   if (test.tolerance_um) {
     blocks.emplace_back(Facts{{data("keeps_tolerance", test.keeps(one))}});
-    blocks.emplace_back(Paragraph{Words(
-        test.keeps(one) ? says::keeps : says::exceeds,
-        {{"deviation", um(one.deviation())}, {"tolerance", exact(*test.tolerance_um, Unit::micrometre)}})});
+    blocks.emplace_back(Paragraph{Words(test.keeps(one) ? says::keeps : says::exceeds,
+                                        {{"deviation", fixed(one.deviation(), Unit::micrometre, 2)},
+                                         {"tolerance", exact(*test.tolerance_um, Unit::micrometre)}})});
   }
   if (one.recorded) add_remarks(blocks, *one.recorded);
   add_remedies(blocks, one);
