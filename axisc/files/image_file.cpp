@@ -74,7 +74,7 @@ ImageFile load_image(std::string const& path) {
 }
 
 ImageFile image_of_bytes(std::string const& path, std::string_view image) {
-  codegen::AlignedBytes bytes(std::as_bytes(std::span(image)));
+  codegen::AlignedBytes bytes(std::as_bytes(std::span(image.data(), image.size())));
   auto contents = image::read_image(bytes.bytes());
   if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
   return {.bytes = std::move(bytes), .contents = std::get<image::ImageContents>(std::move(contents))};
