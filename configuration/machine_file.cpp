@@ -4,10 +4,10 @@
 #include "configuration/json_check.hpp"
 #include "configuration/located_json.hpp"
 #include "configuration/machine/drive_type.hpp"
+#include "configuration/machine_file_report.hpp"
 #include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/joined.hpp"
-#include "diagnostics/terminal.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>
@@ -30,9 +30,6 @@ constexpr Sentence known_axes{"its axes: {names}", "ihre Achsen: {names}"};
 constexpr Sentence unknown_axis{"this machine has no axis \"{name}\"",
                                 "diese Maschine hat keine Achse \"{name}\""};
 
-constexpr Sentence invisible_name{
-    "\"{key}\" must not contain control characters, line breaks or other invisible characters",
-    "\"{key}\" darf keine Steuerzeichen, Zeilenumbrüche oder andere unsichtbare Zeichen enthalten"};
 constexpr Sentence repeated_group{"the group name \"{name}\" is used twice",
                                   "der Gruppenname \"{name}\" kommt zweimal vor"};
 constexpr Sentence grouped_twice{"axis \"{name}\" is in a group already",
@@ -66,9 +63,6 @@ constexpr auto drive_words = [] {
 constexpr std::array<std::string_view, 2> position_controls = {"drive", "cnc"};
 constexpr std::array<std::string_view, 3> axis_types = {"T", "R", "S"};
 
-constexpr JsonShape name_shape{.accepts = [](std::string_view name) { return is_visible(name); },
-                               .pattern = R"(^[^\u0000-\u001F\u007F]+$)",
-                               .sentence = says::invisible_name};
 constexpr JsonShape drive_shape{.words = drive_words, .ignores_case = true};
 constexpr JsonShape position_control_shape{.words = position_controls, .ignores_case = true};
 constexpr JsonShape axis_type_shape{.words = axis_types, .ignores_case = true};
@@ -87,7 +81,7 @@ void store_drive_delay(JsonDocument const& /*document*/, JsonValue const& value,
 }
 
 constexpr std::array axis_keys = {
-    JsonKey{"name", &name_shape, required, "Name of the axis, unique in the machine.",
+    JsonKey{"name", &visible_name_shape, required, "Name of the axis, unique in the machine.",
             into<&MachineFileAxis::name>},
     JsonKey{"list", &json_text, required, "Its parameter list, relative to the machine file.",
             into<&MachineFileAxis::list>},
@@ -111,7 +105,8 @@ void store_look_ahead(JsonDocument const& /*document*/, JsonValue const& value, 
 }
 
 constexpr std::array group_keys = {
-    JsonKey{"name", &name_shape, optional, "Name of the group, for messages.", into<&MachineFileGroup::name>},
+    JsonKey{"name", &visible_name_shape, optional, "Name of the group, for messages.",
+            into<&MachineFileGroup::name>},
     JsonKey{"axes", &json_texts, required, "Names of the axes that move together.",
             into<&MachineFileGroup::axes>},
     JsonKey{"programs", &json_texts, optional, "Programs that are checked against this group alone.",
@@ -135,7 +130,7 @@ constexpr JsonShape gantries_shape{.kind = Kind::list, .items = &gantry_shape};
 constexpr JsonShape filter_sets_shape{.kind = Kind::list, .items = &json_text, .most = most_filter_sets};
 
 constexpr std::array machine_keys = {
-    JsonKey{"machine", &name_shape, optional, "Name of the machine.", into<&MachineFile::machine>},
+    JsonKey{"machine", &visible_name_shape, optional, "Name of the machine.", into<&MachineFile::machine>},
     JsonKey{"cycle_time_us", &json_cycle_time, optional, "Cycle time of the control in microseconds.",
             into<&MachineFile::cycle_time>},
     JsonKey{"default_list", &json_text, optional,
@@ -152,7 +147,9 @@ constexpr std::array machine_keys = {
     JsonKey{"filter_sets", &filter_sets_shape, optional,
             "#FILTER and #VIB GUARD commands that programs may use beside those of `programs`.",
             into<&MachineFile::filter_sets>},
-    JsonKey{"inch", &json_flag, optional, "Lengths in programs are inches.", into<&MachineFile::inch>}};
+    JsonKey{"inch", &json_flag, optional, "Lengths in programs are inches.", into<&MachineFile::inch>},
+    JsonKey{"report", &machine_file_report_shape, optional,
+            "What the cover of `axisc report` says; its options win."}};
 }  // namespace
 
 constexpr JsonShape machine_file_shape{

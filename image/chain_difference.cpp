@@ -23,14 +23,6 @@ bool same_kernel(ImageContents const& before, ImageAxis const& a, ImageContents 
   return was->design.tail_sums == is->design.tail_sums;
 }
 
-bool same_filtering(ImageContents const& before, ImageAxis const& a, ImageContents const& after,
-                    ImageAxis const& b) {
-  bool const same_filters = std::equal(
-      a.filters.begin(), a.filters.end(), b.filters.begin(), b.filters.end(),
-      [](ImageFilter const& was, ImageFilter const& is) { return was.specification == is.specification; });
-  return same_filters && before.cycle_time == after.cycle_time && same_kernel(before, a, after, b);
-}
-
 std::vector<GainChange> compare_gains(ImageContents const& before, std::size_t old_axis,
                                       ImageContents const& after, std::size_t new_axis) {
   auto frequencies = characteristic_frequencies(before, old_axis);
@@ -50,6 +42,17 @@ std::vector<GainChange> compare_gains(ImageContents const& before, std::size_t o
 
 }  // namespace
 
+bool filter_alike(ImageContents const& before, std::size_t a, ImageContents const& after, std::size_t b) {
+  auto const& was = before.axes[a];
+  auto const& is = after.axes[b];
+  bool const same_filters =
+      std::equal(was.filters.begin(), was.filters.end(), is.filters.begin(), is.filters.end(),
+                 [](ImageFilter const& one, ImageFilter const& other) {
+                   return one.specification == other.specification;
+                 });
+  return same_filters && before.cycle_time == after.cycle_time && same_kernel(before, was, after, is);
+}
+
 std::vector<std::optional<ChainDifference>> compare_chains(ImageSide const& before, ImageSide const& after,
                                                            std::span<AxesToCompare const> pairs) {
   std::vector<std::optional<ChainDifference>> differences(pairs.size());
@@ -57,9 +60,7 @@ std::vector<std::optional<ChainDifference>> compare_chains(ImageSide const& befo
   std::vector<std::size_t> old_axes;
   std::vector<std::size_t> new_axes;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    auto const& was = before.contents.axes[pairs[i].before];
-    auto const& is = after.contents.axes[pairs[i].after];
-    if (same_filtering(before.contents, was, after.contents, is)) continue;
+    if (filter_alike(before.contents, pairs[i].before, after.contents, pairs[i].after)) continue;
     differing.push_back(i);
     old_axes.push_back(pairs[i].before);
     new_axes.push_back(pairs[i].after);

@@ -34,6 +34,10 @@ struct AxesToCompare {
   std::size_t before = 0, after = 0;
 };
 
+/// Both axes filter their setpoints alike: the same filters and taps at the same NC cycle time.
+[[nodiscard]] bool filter_alike(ImageContents const& before, std::size_t a, ImageContents const& after,
+                                std::size_t b);
+
 /// For each pair, of which no axis is in two; none where both axes filter their setpoints alike: the same
 /// filters and taps at the same NC cycle time. Cost: that of chain_figures() for all axes that differ, at
 /// once.

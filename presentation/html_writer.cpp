@@ -83,15 +83,16 @@ class HtmlWriter {
   void operator()(Picture const& picture) { html_ += pictures::figure_element(picture.figure, language_); }
   void operator()(Section const& section) {
     if (!is_for_people(section.audience)) return;
+    auto const id = section.id.empty() ? std::string() : pictures::attribute("id", section.id);
     if (section.is_folded && section.title) {
-      html_ += "<details>" + element("summary", inline_html(text_of(*section.title, language_))) + "\n";
+      html_ +=
+          "<details" + id + ">" + element("summary", inline_html(text_of(*section.title, language_))) + "\n";
       blocks(section.blocks);
       html_ += "</details>\n";
       return;
     }
     if (section.title) {
       auto const tag = "h" + std::to_string(std::min(level_, 6));
-      auto const id = section.id.empty() ? std::string() : pictures::attribute("id", section.id);
       html_ += "<" + tag + id + ">" + inline_html(text_of(*section.title, language_)) + "</" + tag + ">\n";
       ++level_;
     }

@@ -123,9 +123,15 @@ Answer picture(Workspace& workspace, Asked const& asked, ErrorSink const& errors
 
 Answer report(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
   std::vector<Message> notes;
-  auto report = report_answer(
-      workspace, {.input = asked.text("input"), .before = asked.find("before"), .language = errors.language},
-      errors, notes);
+  auto report = report_answer(workspace,
+                              {.input = asked.text("input"),
+                               .cover = {.title = asked.find("title").value_or(""),
+                                         .customer = asked.find("customer").value_or(""),
+                                         .author = asked.find("author").value_or(""),
+                                         .date = asked.find("date").value_or("")},
+                               .before = asked.find("before"),
+                               .language = errors.language},
+                              errors, notes);
   return report ? Answer(std::move(report->page)) : std::nullopt;
 }
 
@@ -149,7 +155,7 @@ constexpr std::array questions = {
     Question{.name = "inspect", .keys = "input axis format", .answer = inspect},
     Question{.name = "response", .keys = "input axis port frequencies format", .answer = response},
     Question{.name = "picture", .keys = "input kind axis group before program plant move", .answer = picture},
-    Question{.name = "report", .keys = "input before", .answer = report},
+    Question{.name = "report", .keys = "input before title customer author date", .answer = report},
     Question{.name = "explain", .keys = "word format", .answer = explain}};
 
 }  // namespace

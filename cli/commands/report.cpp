@@ -1,4 +1,5 @@
 #include "axisc/answers/report/report_answer.hpp"
+#include "axisc/environment/failure.hpp"
 #include "axisc/files/output_file.hpp"
 #include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
@@ -9,6 +10,7 @@
 #include "cli/options/named_files.hpp"
 #include "cli/options/sentences.hpp"
 #include "cli/output/printed_errors.hpp"
+#include "diagnostics/terminal.hpp"
 
 namespace axisc::cli::says {
 
@@ -17,6 +19,13 @@ constexpr Sentence argument_reported{
     "eine Liste, eine Maschinendatei, eine Hochlaufliste, ein Projekt oder ein Ordner mit einer Maschine"};
 constexpr Sentence option_page{"where the page goes, - for standard output",
                                "wohin die Seite geht, - für die Standardausgabe"};
+constexpr Sentence option_title{"title instead of the machine's name", "Titel statt des Namens der Maschine"};
+constexpr Sentence option_customer{"for whom the machine is", "für wen die Maschine ist"};
+constexpr Sentence option_author{"who commissions it", "wer sie in Betrieb nimmt"};
+constexpr Sentence option_date{"as the cover shows it (no clock is asked)",
+                               "wie das Deckblatt es zeigt (keine Uhr wird gefragt)"};
+constexpr Sentence bad_cover{"{option} needs one line of visible text",
+                             "{option} braucht eine Zeile sichtbaren Text"};
 constexpr Sentence option_earlier{
     "an earlier state of the same machine: adds every change and its effect",
     "ein früherer Stand derselben Maschine: dazu jede Änderung und ihre Wirkung"};
@@ -28,7 +37,7 @@ namespace axisc::cli {
 namespace {
 
 struct ReportOptions {
-  std::optional<std::string> input, before, output, cycle_time;
+  std::optional<std::string> input, before, output, cycle_time, title, customer, author, date;
   bool alone = false;
   ContourWords contour;
 };
@@ -36,12 +45,22 @@ struct ReportOptions {
 void declare(CommandLine& command_line, ReportOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_reported);
   command_line.value("-o,--output", "FILE.html", options.output, says::option_page);
+  command_line.value("--title", "TEXT", options.title, says::option_title);
+  command_line.value("--customer", "TEXT", options.customer, says::option_customer);
+  command_line.value("--author", "TEXT", options.author, says::option_author);
+  command_line.value("--date", "TEXT", options.date, says::option_date);
   command_line.value("--before", "OTHER", options.before, says::option_earlier);
   declare_feeds(command_line, options.contour);
   declare_angle(command_line, options.contour);
   declare_radius(command_line, options.contour);
+  declare_tolerance(command_line, options.contour);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, options.alone);
+}
+
+std::string cover_text(std::string_view option, std::optional<std::string> const& text) {
+  if (text && !is_visible(*text)) throw Failure({says::bad_cover, {{"option", option}}});
+  return text.value_or("");
 }
 
 void write(std::string const& page, std::string const& path, Invocation const& invocation) {
@@ -68,6 +87,10 @@ ExitStatus report(Invocation const& invocation) {
   refuse_overwriting({*options.output}, named);
 
   ReportQuestion question{.input = *options.input,
+                          .cover = {.title = cover_text("--title", options.title),
+                                    .customer = cover_text("--customer", options.customer),
+                                    .author = cover_text("--author", options.author),
+                                    .date = cover_text("--date", options.date)},
                           .before = options.before,
                           .contour = read_contour_words(options.contour),
                           .alone = options.alone,

@@ -98,9 +98,9 @@ Page report_of_machine(PageSubject const& subject) {
   auto const name = std::string(validator::file_name(subject.machine));
   Workspace workspace(subject.files, options_of(subject));
   std::vector<Message> notes;
-  auto report = report_answer(
-      workspace, {.input = subject.machine, .name = name, .alone = true, .language = subject.language},
-      no_errors(subject), notes);
+  auto report =
+      report_answer(workspace, {.input = subject.machine, .alone = true, .language = subject.language},
+                    no_errors(subject), notes);
   return with_script(say(says::title_report, subject.language, {{"machine", name}}), std::move(report->page),
                      subject.language);
 }

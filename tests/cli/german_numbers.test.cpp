@@ -36,7 +36,7 @@ std::string without_markup(std::string_view text) {
 
 /// A page without the tables of what lists set: their values are shown as they are written.
 std::string without_listed_values(std::string page) {
-  constexpr std::string_view begin = "<summary>Was ihre Listen setzen";
+  constexpr std::string_view begin = ": was ihre Listen setzen, und wo</summary>";
   for (auto at = page.find(begin); at != std::string::npos; at = page.find(begin, at)) {
     page.erase(at, page.find("</table>", at) - at);
   }

@@ -123,20 +123,17 @@ void add_first_case(std::vector<Block>& blocks, Table const& table) {
   }
 }
 
+Value feed_or_any(std::optional<double> const& value) {
+  return quantity_or(Nothing{Words(says::any_feed)}, value, Unit::millimetre_per_minute, Digits::decimals(1));
+}
+
 /// What keeps the tolerance.
 void add_limits(std::vector<Block>& blocks, GroupContour const& group) {
   auto const& limits = *group.limits;
-  auto const feed = [](std::optional<double> const& value) {
-    return quantity_or(Nothing{Words(says::any_feed)}, value, Unit::millimetre_per_minute,
-                       Digits::decimals(1));
-  };
   Facts facts{{data("tolerance_mm", limits.tolerance_mm),
-               data("allowed_feed_mm_per_min", feed(limits.corner_feed)),
-               data("circle_allowed_feed_mm_per_min", feed(limits.circle_feed))}};
-  blocks.emplace_back(
-      Paragraph{Words(says::allowed_feed, {{"tolerance", exact(limits.tolerance_mm, Unit::millimetre)},
-                                           {"feed", feed(limits.corner_feed)},
-                                           {"circle", feed(limits.circle_feed)}})});
+               data("allowed_feed_mm_per_min", feed_or_any(limits.corner_feed)),
+               data("circle_allowed_feed_mm_per_min", feed_or_any(limits.circle_feed))}};
+  blocks.emplace_back(Paragraph{kept_feeds(limits)});
   if (limits.has_order) {
     Value const order(limits.order);
     facts.fields.push_back(data("allowed_order", order));
@@ -175,6 +172,13 @@ void add_unequal_delays(std::vector<Block>& blocks, GroupContour const& group) {
 }
 
 }  // namespace
+
+Words kept_feeds(ContourLimits const& limits) {
+  return {says::allowed_feed,
+          {{"tolerance", exact(limits.tolerance_mm, Unit::millimetre)},
+           {"feed", feed_or_any(limits.corner_feed)},
+           {"circle", feed_or_any(limits.circle_feed)}}};
+}
 
 std::vector<Block> contour_blocks(GroupContour const& group, ContourRequest const& wanted) {
   std::vector<Block> blocks{table_of(group, wanted)};

@@ -26,6 +26,9 @@ struct ContourQuestion {
                                                     machine::Machine const& machine,
                                                     std::function<void(Message const&)> const& remark);
 
+/// Up to which feeds the tolerance is kept.
+[[nodiscard]] presentation::Words kept_feeds(ContourLimits const& limits);
+
 /// The figures of one group, without a title.
 [[nodiscard]] std::vector<presentation::Block> contour_blocks(GroupContour const& group,
                                                               ContourRequest const& wanted);

@@ -56,7 +56,8 @@ GroupContour predict_contour(ContourGroup const& group, ContourRequest const& wa
   auto const cycle_time = group.machine.cycle_time;
   double const turn = wanted.angle_deg * std::numbers::pi / 180;
   double const radius = wanted.radius_mm * motion::units_per_mm;
-  auto const highest = wanted.tolerance_mm ? highest_order(group.machine, chains.group()) : 0;
+  auto const highest =
+      wanted.tolerance_mm && wanted.tries_orders ? highest_order(group.machine, chains.group()) : 0;
   for (auto const& order : wanted.orders) {
     if (order) chains.add_order(*order);
   }

@@ -19,6 +19,7 @@ struct ContourRequest {
   double angle_deg = 90;
   double radius_mm = 10;
   std::optional<double> tolerance_mm;
+  bool tries_orders = true;  ///< with a tolerance also looks for the largest order, which takes seconds
 };
 
 /// One feed with one order.

@@ -20,6 +20,10 @@ constexpr Sentence more{"{first}, {next}", "{first}, {next}"};
 constexpr Sentence gantry{"gantry of {master}: slaves", "Gantry von {master}: Slaves"};
 constexpr Sentence restart{"after a restart of the control: {parameters}",
                            "erst nach einem Neustart der Steuerung: {parameters}"};
+constexpr Sentence no_restart{"no change is documented to need a restart of the control",
+                              "für keine Änderung ist ein Neustart der Steuerung dokumentiert"};
+constexpr Sentence other_channels{"channels that differ: {channels}",
+                                  "Kanäle, die sich unterscheiden: {channels}"};
 constexpr Sentence set_to_default{
     "left out, as they only write out a default: {count} (--all shows them)",
     "weggelassen, weil sie nur einen Standardwert ausschreiben: {count} (--all zeigt sie)"};
@@ -168,6 +172,30 @@ Names restarting(MachineDifference const& difference) {
   return names;
 }
 
+/// Each change once, in the order of the axes.
+Table all_changes(ShownDifference const& shown) {
+  std::vector<std::pair<Row, Names>> changes;
+  for (auto const& axis : shown.difference.axes) {
+    for (auto const& change : axis.parameters) {
+      auto row = parameter_row(shown, change);
+      auto const known = std::find_if(changes.begin(), changes.end(), [&row](auto const& other) {
+        return std::equal(row.begin(), row.end(), other.first.begin(), [](Value const& a, Value const& b) {
+          return text_of(a, Language::english) == text_of(b, Language::english);
+        });
+      });
+      auto& one = known != changes.end() ? *known : changes.emplace_back(std::move(row), Names());
+      one.second.push_back(axis.after->name);
+    }
+  }
+  auto table = parameter_table(shown);
+  table.columns.insert(table.columns.begin(), head_column({}, labels::axes));
+  for (auto& [row, axes] : changes) {
+    row.insert(row.begin(), axes);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 /// What needs a restart, and what is not shown.
 void add_remarks(std::vector<Block>& blocks, MachineDifference const& difference) {
   auto const add = [&](SentenceRef sentence, std::vector<NamedValue> values) {
@@ -180,6 +208,23 @@ void add_remarks(std::vector<Block>& blocks, MachineDifference const& difference
 }
 
 }  // namespace
+
+std::vector<Block> change_summary(ShownDifference const& shown) {
+  auto const& difference = shown.difference;
+  if (difference.empty()) return {Paragraph{title_of(shown)}};
+  std::vector<Block> blocks{machine_table(shown), all_changes(shown)};
+  Names channels;
+  for (auto const& channel : difference.channels) {
+    channels.push_back((channel.after != nullptr ? channel.after : channel.before)->name);
+  }
+  if (!channels.empty()) {
+    blocks.emplace_back(Paragraph{Words(says::other_channels, {{"channels", channels}})});
+  }
+  blocks.emplace_back(Paragraph{difference.needs_restart()
+                                    ? Words(says::restart, {{"parameters", restarting(difference)}})
+                                    : Words(says::no_restart)});
+  return blocks;
+}
 
 std::pair<Words, Words> sides_of(ShownDifference const& shown) {
   if (shown.difference.of_one_machine) return {as_given(shown.before), as_given(shown.after)};

@@ -18,6 +18,10 @@ struct ShownDifference {
 
 [[nodiscard]] presentation::Document difference_answer(ShownDifference const& shown);
 
+/// For people: what differs, each change of a parameter once with the axes that have it, and what needs a
+/// restart.
+[[nodiscard]] std::vector<presentation::Block> change_summary(ShownDifference const& shown);
+
 /// Corner deviation in µm for a path of `feed` mm/min.
 [[nodiscard]] std::optional<double> corner_deviation_um(image::ChainFigures const& chain, double feed,
                                                         design::CycleTime cycle_time);

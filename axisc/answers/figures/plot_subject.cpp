@@ -28,7 +28,7 @@ std::string PlotSubject::names() const {
 std::optional<std::size_t> PlotSubject::axis_before(std::size_t axis) const {
   if (!before) return std::nullopt;
   auto const& old = before->contents();
-  auto const wanted = name(axis);
+  auto const wanted = axis_label(contents(), axis);
   for (std::size_t i = 0; i < old.axes.size(); ++i) {
     if (axis_label(old, i) == wanted) return i;
   }

@@ -11,6 +11,7 @@
 #include "presentation/pictures/figure.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,9 +40,13 @@ struct PlotSubject {
   std::vector<std::size_t> axes;  ///< of `now`
   bool is_switched = false;       ///< --at said which FIR and HSC filters are on
   Language language = Language::english;
+  std::map<std::size_t, std::string> called = {};  ///< axes that stand for equal ones: "X, Y, Z"
 
   [[nodiscard]] image::ImageContents const& contents() const { return now.contents(); }
-  [[nodiscard]] std::string name(std::size_t axis) const { return axis_label(contents(), axis); }
+  [[nodiscard]] std::string name(std::size_t axis) const {
+    auto const found = called.find(axis);
+    return found == called.end() ? axis_label(contents(), axis) : found->second;
+  }
   /// "X, Y".
   [[nodiscard]] std::string names() const;
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {

@@ -131,7 +131,7 @@ class ResponseFigure {
                                        : subject_.say(says::described_no_corner);
       text += (text.empty() ? "" : "; ") +
               subject_.say(says::described,
-                           {{"axis", axis_label(contents_, axis)},
+                           {{"axis", subject_.name(axis)},
                             {"delay", format_rounded(response.at({0}).group_delay_s * 1e3, digits)},
                             {"corner", words}});
     }
@@ -143,24 +143,26 @@ class ResponseFigure {
     for (std::size_t i = 0; i < subject_.axes.size(); ++i) {
       auto const index = subject_.axes[i];
       if (auto const old = subject_.axis_before(index)) {
-        add_chain(*subject_.before, *old, i, pictures::Role::before, says::chain_before);
+        add_chain(*subject_.before, *old, i, pictures::Role::before,
+                  subject_.say(says::chain_before, {{"axis", subject_.name(index)}}));
       }
-      add_chain(subject_.now, index, i, pictures::Role::whole, says::whole_chain);
+      add_chain(subject_.now, index, i, pictures::Role::whole,
+                subject_.say(says::whole_chain, {{"axis", subject_.name(index)}}));
       auto const& axis = contents_.axes[index];
       if (is_alone && axis.filters.size() + (axis.slot ? 1U : 0U) > 1) add_parts(index);
     }
   }
 
   void add_chain(PlottedImage const& image, std::size_t index, std::size_t colour, pictures::Role role,
-                 SentenceRef name) {
+                 std::string name) {
     auto const& contents = image.contents();
     if (contents.axes[index].filters.empty() && !contents.axes[index].slot && !subject_.before) return;
     note_frequencies(contents, index);
     auto const whole = std::make_shared<PortResponse>(contents, image.host, index, Port::setpoint);
-    sources_.push_back({.name = subject_.say(name, {{"axis", axis_label(contents, index)}}),
-                        .role = role,
-                        .colour = colour,
-                        .response = [whole](double frequency) { return whole->at({frequency}); }});
+    sources_.push_back(
+        {.name = std::move(name), .role = role, .colour = colour, .response = [whole](double frequency) {
+           return whole->at({frequency});
+         }});
   }
 
   void add_parts(std::size_t index) {

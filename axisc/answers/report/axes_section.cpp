@@ -1,24 +1,28 @@
 #include "axisc/answers/figures/robustness_figure.hpp"
 #include "axisc/answers/inspect/inspect_answer.hpp"
 #include "axisc/answers/inspect/inspect_parts.hpp"
-#include "axisc/answers/report/report_page.hpp"
+#include "axisc/answers/report/overview.hpp"
 #include "axisc/asked/filter_symbols.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "configuration/machine/part.hpp"
 #include "image/chain_figures.hpp"
 
+#include <map>
 #include <span>
 
 namespace axisc::says {
 
 constexpr Sentence axis_heading{"Axis {axis}", "Achse {axis}"};
+constexpr Sentence axes_heading{"Axes {axes}", "Achsen {axes}"};
 constexpr Sentence no_axis_filter{"No filter: setpoints pass unchanged.",
                                   "Kein Filter: Sollwerte gehen unverändert durch."};
 constexpr Sentence kernel_is_off{
     "As from start-up, before a program switches its filter on; what it does then is under the contours.",
     "Wie ab Hochlauf, bevor ein Programm ihren Filter einschaltet; was er dann tut, steht bei den Konturen."};
-constexpr Sentence values_summary{"What its lists set, and where", "Was ihre Listen setzen, und wo"};
-constexpr Sentence coefficients_summary{"Filters, coefficients and poles", "Filter, Koeffizienten und Pole"};
+constexpr Sentence values_summary{"{axis}: what its lists set, and where",
+                                  "{axis}: was ihre Listen setzen, und wo"};
+constexpr Sentence coefficients_summary{"{axis}: filters, coefficients and poles",
+                                        "{axis}: Filter, Koeffizienten und Pole"};
 
 }  // namespace axisc::says
 
@@ -28,22 +32,25 @@ using namespace presentation;
 
 namespace {
 
-Section folded(SentenceRef title, std::vector<Block> blocks) {
-  auto section = part(title, std::move(blocks));
+Section folded(Words title, std::vector<Block> blocks) {
+  auto section = part(std::move(title), std::move(blocks));
   section.is_folded = true;
   return section;
 }
 
-/// One axis, compiled and executed alone: otherwise each axis would cost as much as the machine.
+/// The first of some equal axes, compiled and executed alone: otherwise each would cost as much as the
+/// machine.
 class AxisAlone {
  public:
-  AxisAlone(ReportSubject const& subject, std::size_t axis)
-      : file_(image_of(machine::part_of(*subject.machine, std::span(&axis, 1)).machine, subject.input)),
+  AxisAlone(ReportSubject const& subject, EqualAxes const& equal)
+      : file_(image_of(machine::part_of(*subject.machine, std::span(equal.axes).first(1)).machine,
+                       subject.input)),
         host_(start_runtime(subject.input, file_)),
         plots_{.now = {.file = file_, .host = host_},
                .before = subject.plots->before,
                .axes = {0},
-               .language = subject.language} {}
+               .language = subject.language,
+               .called = {{0, equal.names}}} {}
 
   [[nodiscard]] PlotSubject const& plots() const { return plots_; }
   [[nodiscard]] image::ChainFigures figures() const {
@@ -56,63 +63,106 @@ class AxisAlone {
   PlotSubject plots_;
 };
 
-/// Of an axis that has a Vibration Guard, or had one.
-void add_robustness(std::vector<Block>& blocks, PlotSubject const& plots, std::size_t axis) {
-  auto const old = plots.axis_before(axis);
-  if (!has_guard(plots.contents(), axis) && !(old && has_guard(plots.before->contents(), *old))) return;
-  PlotSubject one = plots;
-  one.axes = {axis};
-  blocks.emplace_back(Picture{robustness_figure(one)});
+/// Two pictures of three panels and their table fit on a page.
+constexpr double response_panel = 120;
+constexpr double other_panel = 85;
+
+Picture flattened(pictures::Figure figure, double height) {
+  for (auto& panel : figure.panels) panel.height = height;
+  return {std::move(figure)};
 }
 
-/// From rest to rest, beside the earlier state where that is a machine. Nothing of an axis that no channel
-/// moves.
-void add_dynamics(std::vector<Block>& blocks, PlotSubject const& plots, std::size_t axis) {
-  if (!driven_axis(*plots.now.machine, axis)) return;
-  PlotSubject one = plots;
-  one.axes = {axis};
-  if (one.before && one.before->machine == nullptr) one.before.reset();
-  blocks.emplace_back(Picture{dynamics_figure(one, {})});
+/// Of axes that have a Vibration Guard, or had one.
+void add_robustness(std::vector<Block>& blocks, PlotSubject const& plots, EqualAxes const& equal) {
+  auto const axis = equal.axes.front();
+  auto const old = plots.axis_before(axis);
+  if (!has_guard(plots.contents(), axis) && !(old && has_guard(plots.before->contents(), *old))) return;
+  PlotSubject some = plots;
+  some.axes = equal.axes;
+  blocks.emplace_back(Picture{robustness_figure(some)});
+}
+
+/// From rest to rest, beside the earlier state where that is a machine; axes that are driven alike once.
+/// Nothing of axes that no channel moves.
+void add_dynamics(std::vector<Block>& blocks, PlotSubject const& plots, EqualAxes const& equal) {
+  PlotSubject some = plots;
+  some.axes.clear();
+  if (some.before && some.before->machine == nullptr) some.before.reset();
+  using Figures = std::vector<std::vector<std::string>>;
+  std::map<Figures, std::size_t> alike;
+  for (auto const axis : equal.axes) {
+    if (!driven_axis(*plots.now.machine, axis)) continue;
+    PlotSubject one = some;
+    one.axes = {axis};
+    auto figures = dynamics_figure(one, {}).table.rows;
+    for (auto& row : figures) row.front().clear();
+    auto const [first, is_new] = alike.emplace(std::move(figures), axis);
+    if (is_new) {
+      some.axes.push_back(axis);
+      some.called[axis] = plots.name(axis);
+    } else {
+      some.called[first->second] += ", " + plots.name(axis);
+    }
+  }
+  if (some.axes.empty()) return;
+  blocks.emplace_back(flattened(dynamics_figure(some, {}), other_panel));
+}
+
+/// What `inspect` says of the axes, without the head of the image, and what each list sets. What is not about
+/// setpoints may differ.
+void add_details(std::vector<Block>& blocks, PlotSubject const& plots, EqualAxes const& equal,
+                 image::ChainFigures const& figures) {
+  auto const& contents = plots.contents();
+  for (auto const axis : equal.axes) {
+    auto const& compiled = contents.axes[axis];
+    bool const is_first = axis == equal.axes.front();
+    bool const has_setpoint_filter = !compiled.filters.empty() || compiled.slot;
+    bool const has_other = !compiled.interface_filters.empty() || compiled.control;
+    if (!has_other && !(is_first && has_setpoint_filter)) continue;
+    auto const names = is_first && !has_other ? equal.names : plots.name(axis);
+    blocks.emplace_back(
+        folded(Words(says::coefficients_summary, {{"axis", names}}),
+               inspect_axes(contents, std::span(&axis, 1), std::span(&figures, 1), Audience::people)));
+  }
+  for (auto const axis : equal.axes) {
+    auto const& values = contents.axes[axis].values;
+    if (values.empty()) continue;
+    blocks.emplace_back(folded(Words(says::values_summary, {{"axis", plots.name(axis)}}),
+                               {values_table("values", values, Audience::people)}));
+  }
 }
 
 }  // namespace
 
 ReportBlocks axes_section(ReportSubject const& subject) {
-  if (!subject.plots || subject.machine == nullptr) return {};
-  auto const& contents = subject.plots->contents();
+  if (!subject.plots) return {};
+  auto const& plots = *subject.plots;
   ReportBlocks sections;
-  for (auto const axis : subject.plots->axes) {
-    auto const& compiled = contents.axes[axis];
+  for (auto const& equal : equal_axes(plots)) {
+    auto const first = equal.axes.front();
+    auto const& compiled = plots.contents().axes[first];
+    bool const is_one = equal.axes.size() == 1;
     Section section{.key = {},
-                    .title = Words(says::axis_heading, {{"axis", subject.plots->name(axis)}}),
+                    .title = Words(is_one ? says::axis_heading : says::axes_heading,
+                                   {{"axis", equal.names}, {"axes", equal.names}}),
                     .blocks = {},
-                    .id = "axis-" + std::to_string(axis)};
+                    .id = "axis-" + std::to_string(first)};
     auto& blocks = section.blocks;
-    AxisAlone const alone(subject, axis);
-    bool const has_filter = !compiled.filters.empty() || compiled.slot.has_value();
-    bool const starts_off = compiled.slot && compiled.slot->kernel && !compiled.slot->on_at_start;
-    if (starts_off) blocks.emplace_back(Paragraph{says::kernel_is_off});
-    if (has_filter || subject.plots->axis_before(axis)) {
-      blocks.emplace_back(Picture{response_figure(alone.plots(), {})});
+    AxisAlone const alone(subject, equal);
+    if (compiled.slot && compiled.slot->kernel && !compiled.slot->on_at_start) {
+      blocks.emplace_back(Paragraph{says::kernel_is_off});
+    }
+    if (!compiled.filters.empty() || compiled.slot || plots.axis_before(first)) {
+      blocks.emplace_back(flattened(response_figure(alone.plots(), {}), response_panel));
       auto step = step_figure(alone.plots());
       step.table = {};
-      blocks.emplace_back(Picture{std::move(step)});
+      blocks.emplace_back(flattened(std::move(step), other_panel));
     } else {
       blocks.emplace_back(Paragraph{says::no_axis_filter});
     }
-    add_robustness(blocks, *subject.plots, axis);
-    add_dynamics(blocks, *subject.plots, axis);
-    if (has_filter || !compiled.interface_filters.empty() || compiled.control) {
-      // What `inspect` says of the axis, without the head of the image.
-      auto const figures = alone.figures();
-      blocks.emplace_back(
-          folded(says::coefficients_summary,
-                 inspect_axes(contents, std::span(&axis, 1), std::span(&figures, 1), Audience::people)));
-    }
-    if (!compiled.values.empty()) {
-      blocks.emplace_back(
-          folded(says::values_summary, {values_table("values", compiled.values, Audience::people)}));
-    }
+    add_robustness(blocks, plots, equal);
+    add_dynamics(blocks, plots, equal);
+    add_details(blocks, plots, equal, alone.figures());
     sections.emplace_back(std::move(section));
   }
   return sections;

@@ -2,9 +2,8 @@
 #include "axisc/answers/circle/circular_figure.hpp"
 #include "axisc/answers/contour/contour_answer.hpp"
 #include "axisc/answers/figures/plotted_groups.hpp"
-#include "axisc/answers/report/report_page.hpp"
+#include "axisc/answers/report/overview.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "axisc/environment/failure.hpp"
 
 #include <algorithm>
 
@@ -42,11 +41,21 @@ void add_circles(ReportBlocks& blocks, ReportSubject const& subject, std::size_t
   }
 }
 
+/// Each of the channel's axes once that are alike.
+PlotSubject distinct_axes(ReportSubject const& subject, machine::MachineGroup const& group) {
+  PlotSubject some = *subject.plots;
+  some.axes = group.axes;
+  auto const equal = equal_axes(some);
+  some.axes.clear();
+  for (auto const& axes : equal) {
+    some.axes.push_back(axes.axes.front());
+    some.called[axes.axes.front()] = axes.names;
+  }
+  return some;
+}
+
 /// Contours in numbers and pictures.
-ReportBlocks contours(ReportSubject const& subject, std::size_t group) {
-  auto const predicted = predict_contour(
-      {.machine = *subject.machine, .group = group, .commands = filters_on(), .path = subject.input},
-      subject.contour);
+ReportBlocks contours(ReportSubject const& subject, std::size_t group, GroupContour const& predicted) {
   ReportBlocks blocks{Paragraph{says::filters_are_on}};
   for (auto& block : contour_blocks(predicted, subject.contour)) blocks.push_back(std::move(block));
   auto chains = GroupChains(*subject.machine, group, filters_on(), subject.input);
@@ -55,11 +64,12 @@ ReportBlocks contours(ReportSubject const& subject, std::size_t group) {
                                .cycle_time = subject.machine->cycle_time,
                                .axes = axis_names(subject.plots->contents(), chains.group()),
                                .language = subject.language};
-  PlotSubject delays = *subject.plots;
-  delays.axes = subject.machine->groups[group].axes;
-  blocks.emplace_back(Picture{delay_figure(delays)});
-  blocks.emplace_back(Picture{corner_figure(contour, subject.contour)});
-  blocks.emplace_back(Picture{circle_figure(contour, subject.contour)});
+  blocks.emplace_back(Picture{delay_figure(distinct_axes(subject, subject.machine->groups[group]))});
+  for (auto& figure : {corner_figure(contour, subject.contour), circle_figure(contour, subject.contour)}) {
+    // The table of contours has these figures.
+    blocks.emplace_back(Picture{figure});
+    std::get<Picture>(blocks.back()).figure.table = {};
+  }
   add_circles(blocks, subject, group);
   return blocks;
 }
@@ -67,23 +77,17 @@ ReportBlocks contours(ReportSubject const& subject, std::size_t group) {
 }  // namespace
 
 ReportBlocks channels_section(ReportSubject const& subject) {
-  if (!subject.plots || subject.machine == nullptr) return {};
   ReportBlocks sections;
-  for (std::size_t i = 0; i < subject.machine->groups.size(); ++i) {
+  for (std::size_t i = 0; i < subject.contours.size(); ++i) {
+    auto const& [figures, reason] = subject.contours[i];
+    if (!figures && reason.empty()) continue;
     auto const& group = subject.machine->groups[i];
-    if (group.axes.empty()) continue;
     Section section{.key = {},
                     .title = group.name.empty() ? says::only_channel
                                                 : Words(says::channel_heading, {{"group", group.name}}),
                     .blocks = {},
                     .id = "channel-" + std::to_string(i)};
-    try {
-      section.blocks = contours(subject, i);
-    } catch (Failure const& failure) {
-      // A chain without a constant part, or more axes than a path has: the sentence takes the pictures'
-      // place.
-      section.blocks = {Paragraph{as_given(failure.sentence(subject.language))}};
-    }
+    section.blocks = figures ? contours(subject, i, *figures) : ReportBlocks{Paragraph{as_given(reason)}};
     sections.emplace_back(std::move(section));
   }
   return sections;

@@ -1,56 +1,129 @@
 #include "axisc/answers/explain/explain_answer.hpp"
+#include "axisc/answers/labels.hpp"
 #include "axisc/answers/report/report_page.hpp"
-#include "presentation/pictures/svg_text.hpp"
+#include "diagnostics/location.hpp"
+#include "diagnostics/writers/writers.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/engine/rule_title.hpp"
 
-#include <set>
+#include <algorithm>
 
 namespace axisc::says {
 
 constexpr Sentence no_findings{"Nothing was found.", "Nichts gefunden."};
-constexpr Sentence more_findings{"{count} more findings: `axisc lint` prints all.",
-                                 "{count} weitere Befunde: `axisc lint` zeigt alle."};
+constexpr Sentence finding_title{"{title} ({severity} {code})", "{title} ({severity} {code})"};
+constexpr Sentence findings_title{"{title} ({severity} {code}, {count} places)",
+                                  "{title} ({severity} {code}, {count} Stellen)"};
+constexpr Sentence further_places{"elsewhere", "anderswo"};
+constexpr Sentence severity_column{"severity", "Schwere"};
+constexpr Sentence finding_column{"finding", "Befund"};
+constexpr Sentence count_column{"places", "Stellen"};
+constexpr Sentence first_column{"first at", "zuerst in"};
+constexpr Sentence remedy_column{"what to do", "was zu tun ist"};
+constexpr Sentence code_column{"code", "Code"};
 
 }  // namespace axisc::says
 
 namespace axisc {
 
-std::string findings_section(ReportSubject const& subject) {
-  auto const paragraph = [&](std::string const& words) {
-    return "<p>" + pictures::escaped(words) + "</p>\n";
-  };
-  if (subject.findings.empty()) return paragraph(subject.say(says::no_findings));
-  std::string text;
-  std::size_t shown = 0;
-  for (auto const& finding : subject.findings) {
-    if (++shown > most_shown_findings) break;
-    std::string const code = code_text(finding.code);
-    text += R"(<section class="finding"><h3>)";
-    text += pictures::escaped(presentation::text_of(severity_symbol(finding.severity), subject.language));
-    text.append(": <a")
-        .append(pictures::attribute("href", "#" + code))
-        .append(">")
-        .append(code)
-        .append("</a> ");
-    text += pictures::escaped(finding.name);
-    text += "</h3>\n<pre tabindex=\"0\">";
-    text.append(pictures::escaped(finding.text)).append("</pre></section>\n");
-  }
-  if (subject.findings.size() <= most_shown_findings) return text;
-  return text +
-         paragraph(subject.say(says::more_findings,
-                               {{"count", std::to_string(subject.findings.size() - most_shown_findings)}}));
+using namespace presentation;
+
+namespace {
+
+/// Columns of a page on A4.
+constexpr std::size_t widest_line = 100;
+constexpr std::size_t most_places = 6;
+constexpr std::size_t most_to_do = 8;
+
+/// In words, else the name that settings know it by.
+Wording title_of(Code code) {
+  auto const* const rule = validator::find_rule(code);
+  return rule == nullptr ? Wording(code_text(code)) : Wording(validator::title(*rule));
 }
 
-ReportBlocks explanations_section(ReportSubject const& subject) {
-  std::set<Code> codes;
-  for (std::size_t i = 0; i < subject.findings.size() && i < most_shown_findings; ++i) {
-    codes.insert(subject.findings[i].code);
+Words title_of(FindingGroup const& group) {
+  bool const is_one = group.findings.size() == 1;
+  return {is_one ? says::finding_title : says::findings_title,
+          {{"title", title_of(group.code)},
+           {"severity", severity_symbol(group.severity)},
+           {"code", code_text(group.code)},
+           {"count", group.findings.size()}}};
+}
+
+/// The first in full, and where the others are.
+Section section_of(FindingGroup const& group) {
+  Section section{.key = {},
+                  .title = title_of(group),
+                  .blocks = {Verbatim{.key = {}, .text = group.findings.front()->text}}};
+  Table places{.key = {}, .most_shown = most_places};
+  for (auto const* const finding : group.findings) {
+    if (finding == group.findings.front()) continue;
+    add_row(places, {shown(says::further_places, finding->place),
+                     shown(says::finding_column, Words(finding->message))});
   }
+  section.blocks.emplace_back(std::move(places));
+  return section;
+}
+
+}  // namespace
+
+void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const& sources) {
+  subject.counts.add(finding.severity);
+  ReportedFinding& reported = subject.findings.emplace_back();
+  reported = {.severity = finding.severity,
+              .code = finding.code,
+              .axis = finding.axis,
+              .place = std::string(file_of(finding, sources)),
+              .message = finding.message,
+              .help = {},
+              .text = {}};
+  if (!finding.help.empty()) reported.help = finding.help.front();
+  if (!reported.help && finding.fix) reported.help = finding.fix->title;
+  if (finding.place) {
+    reported.place += ":" + std::to_string(locate(*finding.place, sources).begin.line);
+  }
+  if (subject.findings.size() > most_shown_findings) return;
+  reported.text =
+      write_text(finding, sources, {.language = subject.language, .color = false, .width = widest_line});
+}
+
+std::vector<FindingGroup> groups_of(std::vector<ReportedFinding> const& findings) {
+  std::vector<FindingGroup> groups;
+  for (auto const& finding : findings) {
+    auto const known = std::find_if(groups.begin(), groups.end(), [&finding](FindingGroup const& group) {
+      return group.code == finding.code && group.severity == finding.severity;
+    });
+    auto& group = known != groups.end() ? *known : groups.emplace_back();
+    group.severity = finding.severity;
+    group.code = finding.code;
+    group.findings.push_back(&finding);
+  }
+  std::stable_sort(groups.begin(), groups.end(), [](FindingGroup const& one, FindingGroup const& other) {
+    if (one.severity != other.severity) return one.severity < other.severity;
+    return one.findings.size() > other.findings.size();
+  });
+  return groups;
+}
+
+Table to_do_table(ReportSubject const& subject) {
+  Table table{.key = "findings", .most_shown = most_to_do};
+  for (auto const& group : groups_of(subject.findings)) {
+    auto const& first = *group.findings.front();
+    auto const code = code_text(group.code);
+    add_row(table, {{"severity", says::severity_column, severity_symbol(group.severity)},
+                    {"title", says::finding_column, title_of(group.code)},
+                    {"count", says::count_column, group.findings.size()},
+                    {"place", says::first_column, first.place},
+                    {"help", says::remedy_column, first.help ? Value(Words(*first.help)) : Value()},
+                    {"code", says::code_column, Link{.text = code, .id = code}}});
+  }
+  return table;
+}
+
+ReportBlocks findings_section(ReportSubject const& subject) {
+  if (subject.findings.empty()) return {Paragraph{says::no_findings}};
   ReportBlocks blocks;
-  for (auto const code : codes) {
-    if (auto const* const rule = validator::find_rule(code)) blocks.emplace_back(rule_section(*rule));
-  }
+  for (auto const& group : groups_of(subject.findings)) blocks.emplace_back(section_of(group));
   return blocks;
 }
 

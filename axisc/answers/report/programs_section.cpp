@@ -55,13 +55,18 @@ ReportBlocks followed(ReportSubject const& subject, std::size_t channel, std::st
   SimulatedPath const simulated{.group = machine.groups[group].name,
                                 .axes = channel_of(machine, machine.groups[group]).axes,
                                 .cycle_time = machine.cycle_time};
-  return {std::move(told), passes_of(recorder, simulated),
-          Picture{path_figure(recorder,
-                              {.program = std::string(validator::file_name(path)),
-                               .axes = {machine.axes[axes[0]].name, machine.axes[axes[up]].name},
-                               .cycle_seconds = machine.cycle_time.seconds(),
-                               .tolerance_um = std::nullopt},
-                              subject.language)}};
+  auto figure = path_figure(recorder,
+                            {.program = std::string(validator::file_name(path)),
+                             .axes = {machine.axes[axes[0]].name, machine.axes[axes[up]].name},
+                             .cycle_seconds = machine.cycle_time.seconds(),
+                             .tolerance_um = std::nullopt},
+                            subject.language);
+  // The plane keeps its proportions; what is over time may be flat, so that a page holds the picture.
+  constexpr double flat = 90;
+  for (auto& panel : figure.panels) {
+    if (&panel != &figure.panels.front()) panel.height = flat;
+  }
+  return {std::move(told), passes_of(recorder, simulated), Picture{std::move(figure)}};
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/workspace/inputs.hpp"
+#include "configuration/machine_file_report.hpp"
+#include "validator/loading/loader.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -30,6 +32,7 @@ std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const&
     });
     if (found.failure) throw Failure(*found.failure);
     for (auto const& finding : found.findings) add_finding(subject, finding, found.sources);
+    subject.files += found.files.size();
     if (input != path) continue;
     auto& result = judged.result;
     refused = refusal(path, result, found.sources, subject.language);
@@ -41,6 +44,47 @@ std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const&
   // Without a machine the page could not say that it is ready.
   if (refused) throw Failure(*refused);
   return machine;
+}
+
+/// What the machine file says about the cover, where the question says nothing.
+void fill_cover(ReportSubject& subject, ReportQuestion const& question,
+                validator::LoadedMachine const& loaded, SourceSet const& sources) {
+  subject.cover = question.cover;
+  auto const fill = [](std::string& text, std::optional<configuration::LocatedText> const& said) {
+    if (text.empty() && said) text = said->text;
+  };
+  configuration::MachineFileReport said;
+  if (loaded.machine_file) said = configuration::read_report(sources, *loaded.machine_file);
+  fill(subject.cover.title, said.title);
+  fill(subject.cover.customer, said.customer);
+  fill(subject.cover.author, said.author);
+  fill(subject.cover.date, said.date);
+  if (!subject.contour.tolerance_mm) subject.contour.tolerance_mm = said.tolerance_mm;
+  if (!subject.cover.title.empty()) return;
+  // A start-up list tells no name of the machine, its folder often does.
+  std::string folder = question.input;
+  while (folder.ends_with('/') || folder.ends_with('\\')) folder.pop_back();
+  folder = validator::file_name(folder);
+  bool const is_name = loaded.start_up && !folder.empty() && folder.find_first_not_of('.') != folder.npos;
+  subject.cover.title = is_name ? folder : loaded.name;
+}
+
+std::vector<ReportedContour> contours_of(ReportSubject const& subject) {
+  std::vector<ReportedContour> contours;
+  auto wanted = subject.contour;
+  wanted.tries_orders = false;
+  for (std::size_t i = 0; i < subject.machine->groups.size(); ++i) {
+    auto& contour = contours.emplace_back();
+    if (subject.machine->groups[i].axes.empty()) continue;
+    try {
+      contour.figures = predict_contour(
+          {.machine = *subject.machine, .group = i, .commands = filters_on(), .path = subject.input}, wanted);
+    } catch (Failure const& failure) {
+      // A chain without a constant part, or more axes than a path has.
+      contour.reason = failure.sentence(subject.language);
+    }
+  }
+  return contours;
 }
 
 /// An earlier state beside the present one.
@@ -66,7 +110,8 @@ struct Earlier {
 std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion const& question,
                                           ErrorSink const& errors, std::vector<Message>& notes) {
   auto const& input = question.input;
-  ReportSubject subject{.input = question.name.empty() ? input : question.name,
+  ReportSubject subject{.input = input,
+                        .cover = {},
                         .findings = {},
                         .counts = {},
                         .plots = {},
@@ -78,12 +123,12 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
   if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
   notes = std::move(inputs.notes);
   bool const is_listed = std::find(inputs.paths.begin(), inputs.paths.end(), path) != inputs.paths.end();
-  if (!is_listed) {
-    inputs.paths = {path};
-    if (question.name.empty() && path != machine_input(input)) subject.input = path;
-  }
+  if (!is_listed) inputs.paths = {path};
   workspace.take(inputs);
   auto const machine = checked(subject, path, inputs.paths, workspace);
+  SourceSet sources;
+  auto const loaded = loaded_machine(workspace, path, sources);
+  fill_cover(subject, question, loaded, sources);
   std::optional<ImageFile> image;
   std::optional<image::RuntimeHost> host;
   Earlier old;
@@ -92,8 +137,7 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
     image.emplace(image_of(machine->machine, input));
     host.emplace(start_runtime(input, *image));
     subject.machine = &machine->machine;
-    SourceSet sources;
-    auto const loaded = loaded_machine(workspace, path, sources);
+    subject.contours = contours_of(subject);
     subject.delays = {delay_budget_section(loaded, sources, std::nullopt)};
     subject.plots.emplace(PlotSubject{.now = {.file = *image, .host = *host, .machine = subject.machine},
                                       .before = std::nullopt,

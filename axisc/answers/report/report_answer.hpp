@@ -1,4 +1,4 @@
-// The acceptance report of an input.
+// The report about a machine, for its customer and for those who change it.
 #pragma once
 
 #include "axisc/answers/contour/contour_groups.hpp"
@@ -10,10 +10,18 @@
 
 namespace axisc {
 
+/// What only people know. Each is one line as the cover shows it; empty: what the machine file says, if
+/// anything. No clock is asked, so that the same input gives the same bytes.
+struct ReportCover {
+  std::string title = {};  ///< empty: the machine's name
+  std::string customer = {}, author = {}, date = {};
+};
+
 struct ReportQuestion {
-  std::string input;                       ///< a list, a machine, or a folder with one machine
-  std::string name = {};                   ///< as the page calls it; empty: as it was named
+  std::string input;  ///< a list, a machine, or a folder with one machine
+  ReportCover cover = {};
   std::optional<std::string> before = {};  ///< an earlier state: adds every change and its effect
+  /// Without a tolerance the machine file's counts.
   ContourRequest contour = {.feeds = {1000, 2000, 4000}, .tolerance_mm = {}};
   bool alone = false;
   Language language = Language::english;

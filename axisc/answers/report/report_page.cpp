@@ -1,31 +1,22 @@
 #include "axisc/answers/report/report_page.hpp"
 
-#include "axisc/answers/labels.hpp"
-#include "axisc/asked/filter_symbols.hpp"
-#include "axisc/checking/report_format.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
 #include "presentation/writers.hpp"
 
+#include <algorithm>
+
 namespace axisc::says {
 
-constexpr Sentence report_title{"Filters of {input}", "Filter von {input}"};
-constexpr Sentence verdict_errors{"Not ready: {counts}. Nothing is compiled while there are errors.",
-                                  "Nicht bereit: {counts}. Solange es Fehler gibt, wird nichts kompiliert."};
-constexpr Sentence verdict_warnings{"Can be compiled; look at the warnings: {counts}.",
-                                    "Lässt sich kompilieren; vorher die Warnungen ansehen: {counts}."};
-constexpr Sentence verdict_good{"Ready: {counts}.", "Bereit: {counts}."};
-constexpr Sentence counted{"errors: {errors}, warnings: {warnings}, notes: {notes}",
-                           "Fehler: {errors}, Warnungen: {warnings}, Hinweise: {notes}"};
-constexpr Sentence fact_sources{"SHA-256 of all sources", "SHA-256 aller Quellen"};
+constexpr Sentence report_title{"{machine}: acceptance report", "{machine}: Abnahmebericht"};
 constexpr Sentence content_of{"contents", "Inhalt"};
+constexpr Sentence part_overview{"Overview", "Übersicht"};
 constexpr Sentence part_findings{"Findings", "Befunde"};
 constexpr Sentence part_changes{"Changes", "Änderungen"};
 constexpr Sentence part_axes{"Axes", "Achsen"};
-constexpr Sentence part_delays{"Delay budget", "Verzögerungsbilanz"};
 constexpr Sentence part_channels{"Contours", "Konturen"};
 constexpr Sentence part_programs{"Programs", "Programme"};
-constexpr Sentence part_explanations{"Explanations", "Erklärungen"};
+constexpr Sentence part_appendix{"Appendix", "Anhang"};
 
 }  // namespace axisc::says
 
@@ -34,85 +25,68 @@ namespace axisc {
 namespace {
 
 std::string_view style() {
-  return R"(.verdict{padding:.7rem 1rem;border-left:.4rem solid;background:var(--panel);font-weight:600}
+  return R"(.cover{display:flex;flex-direction:column}.cover h1{font-size:2rem;margin:.1rem 0 .4rem}.cover h2{border:0;font-size:1.1rem;margin:1rem 0 .1rem}
+.cover .kind{margin:0;color:var(--quiet)}.cover p::first-letter,.cover th::first-letter,.overview th::first-letter{text-transform:uppercase}.cover p{margin:.25rem 0}.small{font-size:.85em;color:var(--quiet)}
+.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(16rem,1fr));gap:0 2rem}.facts table{margin:0}.overview th:nth-child(2){min-width:11rem}
+.verdict{padding:.5rem 1rem;border-left:.4rem solid;background:var(--panel);font-size:1.1rem;font-weight:600}
 .error{border-color:#c1272d}.warning{border-color:#b36b00}.good{border-color:#1b7f4b}
+.sign{display:grid;grid-template-columns:1fr 1fr;gap:0 1.5rem;margin-top:1.2rem;break-inside:avoid}.sign .who{grid-column:span 2;font-weight:600}.sign div{display:grid;grid-template-columns:2fr 3fr;gap:0 .8rem}.cover .sign .line{border-top:1px solid var(--ink);margin-top:2.2rem;font-size:.85em;color:var(--quiet)}
 nav ul{list-style:none;padding:0;display:flex;flex-wrap:wrap;gap:.3rem 1.2rem}summary{cursor:pointer;color:var(--link);margin:.5rem 0}
-.finding{margin:1rem 0}.finding h3{margin:.2rem 0}code{background:var(--panel);padding:0 .2rem}
-
-@media print{nav{display:none}details{display:block}}
+code{background:var(--panel);padding:0 .2rem}
+@media print{nav,footer,.screen,details:not([open]){display:none}.cover{min-height:262mm;break-after:page}.sign{margin-top:auto}a{text-decoration:none}
+table{display:table;font-size:8.5pt;line-height:1.35}.overview table{font-size:8pt}thead{display:table-header-group}th,td{padding:.1rem .5rem .1rem 0}h3+p,h4+p{break-after:avoid}figure+table{break-inside:avoid}pre{font-size:7.5pt;border:1px solid var(--line)}figure{margin:.4rem 0}h2{margin-top:1.2rem}h3{margin-top:.9rem}figure svg{max-height:150mm}
 )";
 }
 
-std::string verdict(ReportSubject const& subject) {
-  auto const& counts = subject.counts;
-  auto const counted = subject.say(says::counted, {{"errors", std::to_string(counts.errors)},
-                                                   {"warnings", std::to_string(counts.warnings)},
-                                                   {"notes", std::to_string(counts.notes)}});
-  auto const [kind, sentence] = counts.errors > 0 ? std::pair("error", SentenceRef(says::verdict_errors))
-                                : counts.warnings > 0
-                                    ? std::pair("warning", SentenceRef(says::verdict_warnings))
-                                    : std::pair("good", SentenceRef(says::verdict_good));
-  return "<p class=\"verdict " + std::string(kind) + "\">" +
-         pictures::escaped(subject.say(sentence, {{"counts", counted}})) + "</p>\n";
-}
-
-std::string facts(ReportSubject const& subject) {
-  using namespace presentation;
-  if (!subject.plots) return {};
-  auto const& contents = subject.plots->contents();
-  Table lists{.key = {}};
-  for (auto const& [name, sha256] : contents.lists) {
-    add_row(lists, {shown(labels::list, name), shown(as_given("SHA-256"), hexadecimal(sha256))});
+/// In the margin of each page on paper.
+std::string page_margins(ReportCover const& cover) {
+  std::string text;
+  for (char const letter : cover.date.empty() ? cover.title : cover.title + " · " + cover.date) {
+    if (letter == '"' || letter == '\\') text += '\\';
+    text += letter == '<' ? std::string("\\3C ") : std::string(1, letter);
   }
-  return html_of(
-      {Facts{{shown(labels::cycle_time, exact(contents.cycle_time.microseconds(), Unit::microsecond)),
-              shown(labels::axes, subject.plots->names()),
-              shown(labels::compiler, "axisc " + contents.compiler_version),
-              shown(says::fact_sources, hexadecimal(contents.source_digest))}},
-       std::move(lists)},
-      2, {.language = subject.language});
+  return "@page{margin:15mm 15mm 18mm;@bottom-left{content:\"" + text +
+         "\";font:8pt sans-serif}@bottom-right{content:counter(page) \" / \" counter(pages);font:8pt "
+         "sans-serif}}}\n";
 }
 
 struct Part {
   std::string_view id;
   SentenceRef name;
   std::string html;
+  bool is_printed = true;
 };
 
 }  // namespace
 
-void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const& sources) {
-  subject.counts.add(finding.severity);
-  bool const is_shown = subject.findings.size() < most_shown_findings;
-  subject.findings.push_back(
-      {.severity = finding.severity,
-       .code = finding.code,
-       .name = finding.name,
-       .text = is_shown ? texts_of({finding}, sources, {.language = subject.language, .color = false})
-                        : std::string()});
+std::string ReportSubject::html(ReportBlocks const& blocks, int level) const {
+  return presentation::html_of(blocks, level, {.language = language});
+}
+
+double ReportSubject::highest_feed() const {
+  return *std::max_element(contour.feeds.begin(), contour.feeds.end());
 }
 
 std::string report_page(ReportSubject const& subject) {
-  auto const html = [&](ReportBlocks const& blocks) {
-    return presentation::html_of(blocks, 3, {.language = subject.language});
-  };
+  auto const html = [&subject](ReportBlocks const& blocks) { return subject.html(blocks, 3); };
+  bool const has_own_overview = subject.plots && !has_overview(subject);
   std::vector<Part> const parts = {
-      {.id = "findings", .name = says::part_findings, .html = findings_section(subject)},
-      {.id = "changes", .name = says::part_changes, .html = html(changes_section(subject))},
-      {.id = "axes", .name = says::part_axes, .html = html(axes_section(subject))},
-      {.id = "delays", .name = says::part_delays, .html = html(subject.delays)},
-      {.id = "contours", .name = says::part_channels, .html = html(channels_section(subject))},
-      {.id = "programs", .name = says::part_programs, .html = html(programs_section(subject))},
-      {.id = "explanations", .name = says::part_explanations, .html = html(explanations_section(subject))}};
-  std::string const title = subject.say(says::report_title, {{"input", subject.input}});
+      {"overview", says::part_overview, has_own_overview ? report_overview(subject) : std::string()},
+      {"findings", says::part_findings, html(findings_section(subject))},
+      {"changes", says::part_changes, html(changes_section(subject))},
+      {"axes", says::part_axes, html(axes_section(subject))},
+      {"contours", says::part_channels, html(channels_section(subject))},
+      {"programs", says::part_programs, html(programs_section(subject))},
+      // After errors it holds nothing but what is folded away.
+      {"appendix", says::part_appendix, html(appendix_section(subject)), subject.plots.has_value()}};
+  std::string const title = subject.say(says::report_title, {{"machine", subject.cover.title}});
   std::string text = "<!doctype html>\n<html lang=\"";
   text += subject.language == Language::german ? "de" : "en";
   text += "\"><head><meta charset=\"utf-8\">\n";
   text += R"(<meta name="viewport" content="width=device-width,initial-scale=1">)";
   text += "\n<title>" + pictures::escaped(title) + "</title>\n<style>\n";
-  text.append(pictures::page_style()).append(style());
-  text += "</style></head>\n<body><main>\n<h1>" + pictures::escaped(title) + "</h1>\n" + verdict(subject) +
-          facts(subject);
+  text.append(pictures::page_style()).append(style()).append(page_margins(subject.cover));
+  text += "</style></head>\n<body><main>\n" + report_cover(subject);
   text += "<nav" + pictures::attribute("aria-label", subject.say(says::content_of)) + "><ul>";
   for (auto const& part : parts) {
     if (part.html.empty()) continue;
@@ -122,7 +96,9 @@ std::string report_page(ReportSubject const& subject) {
   text += "</ul></nav>\n";
   for (auto const& part : parts) {
     if (part.html.empty()) continue;
-    text += "<h2" + pictures::attribute("id", part.id) + ">" + subject.say(part.name) + "</h2>\n" + part.html;
+    text += "<h2" + pictures::attribute("id", part.id) +
+            (part.is_printed ? "" : pictures::attribute("class", "screen")) + ">" + subject.say(part.name) +
+            "</h2>\n" + part.html;
   }
   text += "</main>\n";
   if (subject.plots) text += pictures::zoom_part(subject.language);

@@ -48,33 +48,81 @@ std::string_view family_of(std::string_view name) {
   return name.substr(0, name.rfind('.') + 1);
 }
 
-/// Where a line is added to a list, and the column in which its value begins there.
+/// How a line of a list goes on after its value: "( P-AXIS-00573 : ...".
+struct Comment {
+  std::size_t column = 0;  ///< counted from the name; 0: there is none with a parameter's number
+  std::string_view opener = {};
+};
+
+Comment comment_of(SourceText const& source, grammar::Assignment const& assignment) {
+  auto const end = source.line_span(assignment.line).end;
+  auto const rest = source.slice({.begin = assignment.value.end, .end = end});
+  auto const begin = rest.find_first_of("(#");
+  auto const number = rest.find("P-AXIS-");
+  bool const is_numbered = number != std::string_view::npos && begin < number &&
+                           rest.find_first_not_of(" \t") == begin &&
+                           rest.find_first_not_of(" \t", begin + 1) == number;
+  if (!is_numbered) return {};
+  return {.column = assignment.value.end + begin - assignment.name.begin,
+          .opener = rest.substr(begin, number - begin)};
+}
+
+/// Where a line is added to a list, and the columns in which value and comment begin there.
 struct Gap {
   std::uint32_t at = 0;
   std::size_t value_column = 0;
   bool needs_line_end = false;  ///< before the new line
+  Comment comment = {};         ///< none where less than half of the list's lines have one
 };
 
 Gap gap_for(validator::LoadedList const& list, SourceText const& source, std::string_view family) {
   auto const bytes = source.bytes();
   grammar::Assignment const* last = nullptr;
   std::size_t column = 0;
+  std::size_t commented = 0;
+  Comment comment;
   for (auto const& assignment : list.tree.assignments) {
     column = assignment.value.begin - assignment.name.begin;
     if (source.slice(assignment.name).starts_with(family)) last = &assignment;
+    auto const own = comment_of(source, assignment);
+    if (own.column == 0) continue;
+    ++commented;
+    comment = own;
   }
+  if (2 * commented < list.tree.assignments.size()) comment = {};
   auto const end = static_cast<std::uint32_t>(bytes.size());
   if (last == nullptr) {
     auto const at = list.tree.end_marker ? list.tree.end_marker->begin : end;
     return {.at = at,
             .value_column = column,
-            .needs_line_end = !list.tree.end_marker && !bytes.empty() && bytes.back() != '\n'};
+            .needs_line_end = !list.tree.end_marker && !bytes.empty() && bytes.back() != '\n',
+            .comment = comment};
   }
+  if (auto const own = comment_of(source, *last); own.column != 0 && comment.column != 0) comment = own;
   auto const line_end = bytes.find('\n', last->value.end);
   bool const is_open = line_end == std::string_view::npos;
   return {.at = is_open ? end : static_cast<std::uint32_t>(line_end + 1),
           .value_column = last->value.begin - last->name.begin,
-          .needs_line_end = is_open};
+          .needs_line_end = is_open,
+          .comment = comment};
+}
+
+/// In the columns of its neighbours, with the parameter's number where they have theirs.
+std::string line_of(std::string const& name, std::string const& text, EffectiveValue const& value,
+                    Gap const& gap) {
+  auto line = name;
+  auto const pad = [&line](std::size_t column) {
+    line.append(column > line.size() ? column - line.size() : 1, ' ');
+  };
+  pad(gap.value_column);
+  line += text;
+  auto const number = schema::p_axis_text(value.row->p_axis);
+  // Nothing but `(` ends a string.
+  bool const is_ended = gap.comment.opener.starts_with('(') || value.row->is_enumeration() ||
+                        value.row->type != schema::DataType::string;
+  if (gap.comment.column == 0 || number.empty() || !is_ended) return line + "\n";
+  pad(gap.comment.column);
+  return line.append(gap.comment.opener).append(number).append("\n");
 }
 
 Fix fix_of(validator::LoadedMachine const& machine, std::size_t axis, SourceSet const& sources,
@@ -91,9 +139,7 @@ Fix fix_of(validator::LoadedMachine const& machine, std::size_t axis, SourceSet 
       continue;
     }
     auto const gap = gap_for(list, source, family_of(name));
-    auto const blanks = gap.value_column > name.size() ? gap.value_column - name.size() : 1;
-    auto line = name;
-    line.append(blanks, ' ').append(text).append("\n");
+    auto const line = line_of(name, text, value, gap);
     Place const place{.source = list.source, .span = {.begin = gap.at, .end = gap.at}};
     auto const same = std::find_if(fix.edits.begin(), fix.edits.end(),
                                    [&](Edit const& edit) { return edit.place.span == place.span; });

@@ -44,7 +44,8 @@ std::vector<FileKind> const& kinds() {
         "groups": [{"name": "table", "axes": ["X", "Y"], "programs": ["a.nc"], "channel_list": "sda1.lis",
                     "look_ahead_blocks": 190}],
         "gantries": [{"master": "X", "slaves": ["Y"]}],
-        "programs": ["b.nc"], "filter_sets": ["#FILTER ON"], "inch": false})"},
+        "programs": ["b.nc"], "filter_sets": ["#FILTER ON"], "inch": false,
+        "report": {"title": "M", "customer": "C", "author": "A", "date": "today", "tolerance_mm": 0.01}})"},
       {"docs/schemas/settings.schema.json", "docs/settings.md", axisc::settings_shape, R"({
         "cycle_time_us": 62.5, "build": "V3.1.3080.00", "language": "de", "disable": ["AX4007", "delay-too-long"],
         "design": {"filters": "matched", "kernels": "taps-n", "vibration_guard": "rounded",

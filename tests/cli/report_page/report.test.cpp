@@ -73,6 +73,49 @@ void check_nesting(std::string const& html) {
   CHECK(open.empty());
 }
 
+using Rows = std::vector<std::vector<std::string>>;
+
+/// The texts of the first table after `mark`, its headings first.
+Rows table_after(std::string const& html, std::string const& mark) {
+  auto const begin = html.find("<table", html.find(mark));
+  REQUIRE(begin != std::string::npos);
+  std::string const table = html.substr(begin, html.find("</table>", begin) - begin);
+  Rows rows;
+  for (auto row = table.find("<tr>"); row != std::string::npos; row = table.find("<tr>", row + 1)) {
+    auto const end = table.find("</tr>", row);
+    auto& cells = rows.emplace_back();
+    for (auto at = table.find("<t", row + 1); at < end; at = table.find("<t", at + 1)) {
+      auto const inner = table.find('>', at) + 1;
+      cells.push_back(text_of("<body>" + table.substr(inner, table.find("</t", inner) - inner)));
+    }
+  }
+  return rows;
+}
+
+/// The cell of the row that begins with `name`, in the column whose heading begins with `heading`.
+std::string cell(Rows const& rows, std::string const& name, std::string const& heading) {
+  for (auto const& row : rows) {
+    if (row.front() != name) continue;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (rows.front()[i].starts_with(heading)) return row[i];
+    }
+  }
+  FAIL("no cell " << name << ", " << heading);
+  return {};
+}
+
+std::size_t count_of(std::string const& text, std::string const& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+std::string fixed(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << value;
+  return text.str();
+}
+
 std::string rounded(double value) {
   std::ostringstream text;
   text << std::setprecision(4) << value;
@@ -119,6 +162,128 @@ TEST_CASE("the report's figures are those of inspect and contour") {
     CHECK_THAT(text, Contains(rounded(group["contour_deviation_um"].get<double>())));
     CHECK_THAT(text, Contains(rounded(group["circle"]["contour_deviation_um"].get<double>())));
   }
+}
+
+TEST_CASE("the overview says of equal axes once what contour and its budget say") {
+  TemporaryFolder const folder;
+  auto const html = report_of({mill, "--feed", "1500,3000", "--radius", "7", "--tolerance", "0.05"}, folder);
+  auto const overview = table_after(html, "What do the filters cost?");
+  auto const said =
+      json::parse(run_axisc({"contour", mill, "--feed", "3000", "--radius", "7", "--format", "json"}).out);
+  auto const& group = said["groups"][0];
+  auto const largest = [](json const& figures) {
+    double error = 0;
+    for (auto const& axis : figures["axis_error_um"]) error = std::max(error, axis.get<double>());
+    return error;
+  };
+  std::string const axes = "X, Y, Z";
+  CHECK(cell(overview, axes, "corner of 90°") == fixed(largest(group)));
+  CHECK(cell(overview, axes, "circle, r 7 mm") == fixed(largest(group["circle"])));
+  CHECK(cell(overview, axes, "margin to 0.05 mm") == fixed(50 - largest(group)));
+  CHECK(cell(overview, "S", "corner of 90°").empty());
+  auto const budget = json::parse(run_axisc({"contour", mill, "--budget", "--format", "json"}).out);
+  for (auto const& axis : budget["delay_budget"]["axes"]) {
+    bool const is_start = axis["state"] == "start";
+    auto const name = axis["axis"] == "S" ? std::string("S") : axes;
+    if (name == "S" && is_start)
+      CHECK(cell(overview, name, "delay") == rounded(axis["position_ms"].get<double>()));
+    if (name != "S") {
+      CHECK(cell(overview, name, is_start ? "from start-up" : "delay") ==
+            rounded(axis["position_ms"].get<double>()));
+    }
+  }
+  // The lists say 42 Hz, 60 Hz, and a filter_fir that a program switches on.
+  CHECK_THAT(cell(overview, axes, "filters"),
+             Contains("band-stop 42 Hz, low-pass 60 Hz, ") && Contains("(once switched on)"));
+  // The finding is in the default list, so that it belongs to none of them.
+  CHECK(cell(overview, axes, "findings") == "0");
+  CHECK(cell(overview, "several axes, machine", "findings") == "1");
+  CHECK_THAT(html, Contains("Not within the tolerance of 0.05 mm at 3000 mm/min"));
+  // 90.5 µm at 2000 mm/min: see `contour --tolerance`.
+  auto const limits = json::parse(run_axisc({"contour", mill, "--feed", "1500", "--radius", "7",
+                                             "--tolerance", "0.05", "--format", "json"})
+                                      .out);
+  CHECK_THAT(html, Contains("at the corner up to " + fixed(limits["groups"][0]["allowed_feed_mm_per_min"])));
+}
+
+TEST_CASE("equal axes are drawn once, others are not") {
+  TemporaryFolder const folder;
+  auto const html = report_of({mill}, folder);
+  CHECK(count_of(html, ">Frequency response: ") == 2 * 2);  // the title, and what readers see
+  CHECK(count_of(html, ">Frequency response: X, Y, Z<") == 2);
+  CHECK(count_of(html, "<h3 id=\"axis-") == 2);
+  // What each list sets stays its own.
+  for (std::string const axis : {"X", "Y", "Z", "S"}) {
+    CHECK(count_of(html, "<summary>" + axis + ": what its lists set, and where</summary>") == 1);
+  }
+  for (std::string const name :
+       {"machine.json", "default.lis", "x.lis", "y.lis", "z.lis", "spindle.lis", "part.nc"}) {
+    std::string text = read_source_file("samples/mill/" + name);
+    if (name == "y.lis") text.insert(0, "filter[1].fg_f0 61\n");
+    folder.write("other/" + name, text);
+  }
+  auto const other = report_of({"other/machine.json"}, folder);
+  CHECK(count_of(other, "<h3 id=\"axis-") == 3);
+  CHECK_THAT(other, Contains(">Frequency response: X, Z<") && Contains(">Frequency response: Y<"));
+  // Equal now, but not before.
+  auto const changed = report_of({mill, "--before", "other/machine.json"}, folder);
+  CHECK(count_of(changed, "<h3 id=\"axis-") == 3);
+}
+
+TEST_CASE("the cover says what options and machine file say, and the options win") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "filter[0].enable 0\n");
+  folder.write("m.json",
+               R"({"machine": "Fräse <4711>", "cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}],
+ "report": {"customer": "Nordwerk", "author": "I. Petersen", "date": "2026-11-27", "tolerance_mm": 0.02}})");
+  auto const html = report_of({"m.json", "--customer", "Südwerk & Co"}, folder);
+  check_nesting(html);
+  CHECK_THAT(
+      html, Contains("<h1>Fräse &lt;4711&gt;</h1>") && Contains("Südwerk &amp; Co") && !Contains("Nordwerk"));
+  CHECK_THAT(html, Contains("I. Petersen") && Contains("2026-11-27") &&
+                       Contains("\"Fräse \\3C 4711> · 2026-11-27\""));
+  auto const german = report_of({"m.json", "--title", "Abnahme", "--lang", "de"}, folder);
+  CHECK_THAT(german, Contains("<h1>Abnahme</h1>") && Contains("Ja, soweit es ihre Listen zeigen") &&
+                         Contains("Nordwerk") && Contains("Für den Kunden"));
+  SECTION("a start-up list has the name of the folder that was named") {
+    auto const named = report_of({AXISC_SOURCE_DIR "/samples/controller/listen/"}, folder);
+    CHECK_THAT(named, Contains("<h1>listen</h1>"));
+  }
+  SECTION("one line of visible text, or none") {
+    for (std::string const option : {"--title", "--customer", "--author", "--date"}) {
+      auto const refused =
+          run_axisc({"report", "m.json", option, "a\nb", "-o", "no.html"}, in_folder(folder.path()));
+      CHECK(refused.status == 2);
+      CHECK_THAT(refused.err, Contains(option));
+    }
+    folder.write("bad.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}],
+ "report": {"custmer": "a", "tolerance_mm": 0, "date": "a\nb"}})");
+    auto const linted = run_axisc({"lint", "bad.json", "--color", "never"}, in_folder(folder.path()));
+    CHECK(linted.status == 1);
+    CHECK_THAT(linted.out, Contains("unknown key \"custmer\"") && Contains("tolerance_mm") &&
+                               Contains("\"date\" must not"));
+  }
+}
+
+TEST_CASE("findings of one rule stand together, the worst first") {
+  TemporaryFolder const folder;
+  std::string axes;
+  for (int i = 0; i < 12; ++i) {
+    auto const name = "a" + std::to_string(i);
+    folder.write(name + ".lis", "kopf.achs_nr " + std::to_string(i + 1) +
+                                    "\nfilter[0].order 99\nfilter[0].enable 1\nfilter[0].frequenz 3\n");
+    axes += std::string(i > 0 ? "," : "") + R"({"name": ")" + name + R"(", "list": ")" + name + R"(.lis"})";
+  }
+  folder.write("m.json", R"({"cycle_time_us": 1000, "axes": [)" + axes + "]}");
+  auto const html = report_of({"m.json"}, folder, 1);
+  auto const table = table_after(html, "What must be done?");
+  auto const order = text_of("<body>" + html.substr(html.find("id=\"findings\"")));
+  CHECK(cell(table, "error", "places") == "12");
+  REQUIRE(table.size() > 1);
+  CHECK(table[1][0] == "error");
+  CHECK(count_of(html, ", 12 places)</h3>") >= 1);
+  CHECK_THAT(order, Contains("and 5 more"));
+  CHECK_THAT(html, Contains("No: errors: 24"));
 }
 
 TEST_CASE("the report's programs are those of simulate") {
@@ -190,6 +355,16 @@ TEST_CASE("a report of a change says each parameter and what it does") {
   auto const text = text_of(html);
   auto const changes = text.substr(text.find("Changes", text.find("Changes") + 1));
   CHECK_THAT(changes, Contains("filter[0].fg_f0") && Contains("48") && Contains("42"));
+  // First of all, once for the axes of the default list.
+  auto const first = table_after(html, "What has changed?");
+  REQUIRE(first.size() == 2);
+  CHECK(first[1][0] == "X, Y, Z, S");
+  CHECK(first[1][1] == "filter[0].fg_f0");
+  CHECK_THAT(first[1][2], Contains("48") && Contains("42"));
+  CHECK(html.find("What has changed?") < html.find("What do the filters cost?"));
+  CHECK_THAT(text, Contains("no change is documented to need a restart of the control"));
+  auto const same = text_of(report_of({mill, "--before", mill}, folder));
+  CHECK_THAT(same, Contains("mean the same"));
   CHECK_THAT(html, Contains("class=\"curve before"));
 }
 
