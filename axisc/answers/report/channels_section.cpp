@@ -24,12 +24,16 @@ using namespace presentation;
 
 namespace {
 
-/// The circular test of each plane at the highest feed, its numbers folded.
+/// The circular tests at the highest feed of the planes that deviate most, their numbers folded.
 void add_circles(ReportBlocks& blocks, ReportSubject const& subject, std::size_t group) {
   auto const& feeds = subject.contour.feeds;
-  auto const test = channel_circles(
+  constexpr std::size_t most_planes = 3;
+  auto test = channel_circles(
       {.path = subject.input, .machine = *subject.machine, .image = subject.plots->contents()}, group,
       *std::max_element(feeds.begin(), feeds.end()), subject.contour.radius_mm);
+  std::stable_sort(test.cases.begin(), test.cases.end(),
+                   [](auto const& a, auto const& b) { return a.deviation() > b.deviation(); });
+  test.cases.resize(std::min(test.cases.size(), most_planes));
   for (auto const& one : test.cases) {
     CircularTest const alone{.cycle_time = test.cycle_time, .cases = {one}, .tolerance_um = {}, .files = {}};
     Section section{.key = {},
