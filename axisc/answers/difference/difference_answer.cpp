@@ -172,24 +172,34 @@ Names restarting(MachineDifference const& difference) {
   return names;
 }
 
-/// Each change once, in the order of the axes.
+/// Each change once, those that need a restart first, of many the first.
 Table all_changes(ShownDifference const& shown) {
-  std::vector<std::pair<Row, Names>> changes;
+  struct Change {
+    Row row;
+    bool restart = false;
+    Names axes = {};
+  };
+  std::vector<Change> changes;
+  auto const is_same = [](Value const& one, Value const& other) {
+    return text_of(one, Language::english) == text_of(other, Language::english);
+  };
   for (auto const& axis : shown.difference.axes) {
     for (auto const& change : axis.parameters) {
       auto row = parameter_row(shown, change);
-      auto const known = std::find_if(changes.begin(), changes.end(), [&row](auto const& other) {
-        return std::equal(row.begin(), row.end(), other.first.begin(), [](Value const& a, Value const& b) {
-          return text_of(a, Language::english) == text_of(b, Language::english);
-        });
+      auto const known = std::find_if(changes.begin(), changes.end(), [&](Change const& other) {
+        return std::equal(row.begin(), row.end(), other.row.begin(), is_same);
       });
-      auto& one = known != changes.end() ? *known : changes.emplace_back(std::move(row), Names());
-      one.second.push_back(axis.after->name);
+      auto& one =
+          known != changes.end() ? *known : changes.emplace_back(Change{std::move(row), change.restart});
+      one.axes.push_back(axis.after->name);
     }
   }
+  std::stable_partition(changes.begin(), changes.end(), [](Change const& one) { return one.restart; });
   auto table = parameter_table(shown);
+  constexpr std::size_t most_on_a_cover = 4;
+  table.most_shown = most_on_a_cover;
   table.columns.insert(table.columns.begin(), head_column({}, labels::axes));
-  for (auto& [row, axes] : changes) {
+  for (auto& [row, restart, axes] : changes) {
     row.insert(row.begin(), axes);
     table.rows.push_back(std::move(row));
   }

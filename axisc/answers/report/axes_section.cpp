@@ -63,12 +63,11 @@ class AxisAlone {
   PlotSubject plots_;
 };
 
-/// Two pictures of three panels and their table fit on a page.
-constexpr double response_panel = 120;
-constexpr double other_panel = 85;
+/// Two pictures of three panels fit on a page, and the names of their axes beside them.
+constexpr double panel_height = 130;
 
-Picture flattened(pictures::Figure figure, double height) {
-  for (auto& panel : figure.panels) panel.height = height;
+Picture flattened(pictures::Figure figure) {
+  for (auto& panel : figure.panels) panel.height = panel_height;
   return {std::move(figure)};
 }
 
@@ -105,7 +104,7 @@ void add_dynamics(std::vector<Block>& blocks, PlotSubject const& plots, EqualAxe
     }
   }
   if (some.axes.empty()) return;
-  blocks.emplace_back(flattened(dynamics_figure(some, {}), other_panel));
+  blocks.emplace_back(flattened(dynamics_figure(some, {})));
 }
 
 /// What `inspect` says of the axes, without the head of the image, and what each list sets. What is not about
@@ -153,10 +152,10 @@ ReportBlocks axes_section(ReportSubject const& subject) {
       blocks.emplace_back(Paragraph{says::kernel_is_off});
     }
     if (!compiled.filters.empty() || compiled.slot || plots.axis_before(first)) {
-      blocks.emplace_back(flattened(response_figure(alone.plots(), {}), response_panel));
+      blocks.emplace_back(flattened(response_figure(alone.plots(), {})));
       auto step = step_figure(alone.plots());
       step.table = {};
-      blocks.emplace_back(flattened(std::move(step), other_panel));
+      blocks.emplace_back(flattened(std::move(step)));
     } else {
       blocks.emplace_back(Paragraph{says::no_axis_filter});
     }

@@ -62,7 +62,7 @@ ReportBlocks followed(ReportSubject const& subject, std::size_t channel, std::st
                              .tolerance_um = std::nullopt},
                             subject.language);
   // The plane keeps its proportions; what is over time may be flat, so that a page holds the picture.
-  constexpr double flat = 90;
+  constexpr double flat = 130;
   for (auto& panel : figure.panels) {
     if (&panel != &figure.panels.front()) panel.height = flat;
   }

@@ -124,9 +124,11 @@ std::string report_cover(ReportSubject const& subject) {
     return "<h2>" + escaped(subject.say(words)) + "</h2>\n";
   };
   std::string html = "<header class=\"cover\">\n" + paragraph("kind", subject.say(says::cover_kind)) +
-                     "<h1>" + escaped(subject.cover.title) + "</h1>\n" + "<div class=\"facts\"><div>" +
-                     subject.html({facts_of_people(subject.cover)}, level) + "</div><div>" +
-                     subject.html({facts_of_machine(subject)}, level) + "</div></div>\n";
+                     "<h1>" + escaped(subject.cover.title) + "</h1>\n" + "<div class=\"facts\">";
+  for (auto const& facts : {facts_of_people(subject.cover), facts_of_machine(subject)}) {
+    if (auto const table = subject.html({facts}, level); !table.empty()) html += "<div>" + table + "</div>\n";
+  }
+  html += "</div>\n";
   html += heading(says::may_it_run) + verdict(subject);
   if (subject.difference != nullptr) {
     html += heading(says::what_changed) + subject.html(change_summary(*subject.difference), level);
