@@ -30,7 +30,8 @@ constexpr Sentence delays_between{
 constexpr Sentence contour_costs{
     "{channel}: at {feed} the contour is off by {corner} at a corner of {angle}, by {passed} as the control "
     "passes it (a reading), and by {circle} on a circle of radius {radius}.",
-    "{channel}: bei {feed} weicht die Bahn an einer Ecke von {angle} um {corner} ab, so wie die Steuerung sie "
+    "{channel}: bei {feed} weicht die Bahn an einer Ecke von {angle} um {corner} ab, so wie die Steuerung "
+    "sie "
     "fährt (eine Lesart) um {passed}, und auf einem Kreis mit Radius {radius} um {circle}."};
 constexpr Sentence contour_costs_alone{
     "{channel}: at {feed} the contour is off by {corner} at a corner of {angle} and by {circle} on a circle "
