@@ -1,5 +1,6 @@
 #include "axisc/checking/compiled_input.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "system/file.hpp"
 
 #include <variant>
@@ -11,6 +12,7 @@ namespace {
 /// Text is left to the check, which reports what is wrong with it.
 bool may_be_image(configuration::Files& files, std::string const& input) {
   if (input == "-" || system::kind_of(input) == system::FileKind::folder) return false;
+  if (ascii::has_extension(input, ".axim")) return true;
   bool is_image = false;
   auto const failed = files.read_pieces(input, [&](std::string_view beginning) {
     auto const checked = configuration::check_text(beginning);

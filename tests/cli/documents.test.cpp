@@ -87,6 +87,10 @@ constexpr Page pages[] = {
     {"README.md",
      "cp -r $samples/controller/. $samples/controller-project/project/hochlauf.tsproj . && "
      "mv hochlauf.tsproj Project.tsproj && cp $samples/controller-xml/listen/achsmds1.xml update.xml"},
+    {"docs/circle.md",
+     "cp -r $samples . && cp samples/circle/* . && "
+     "awk 'BEGIN { print \"angle_deg,deviation_um\"; for (i = 0; i <= 720; ++i) print i / 2 \",\" i % 7 }' "
+     ">ballbar.csv"},
     {"docs/compare.md",
      "cp $samples/mill/* . && axisc compile machine.json -o m.axim -q 2>findings && "
      "axisc run m.axim --signal ramp:1000 --cycles 9000 | "
@@ -106,7 +110,8 @@ constexpr Page pages[] = {
      "cp -r $samples/controller/. $samples/mill/* . && mkdir old && cp -r listen prog old && "
      "axisc compile machine.json -o mill.axim -q 2>findings"},
     {"docs/record.md",
-     "cp $samples/resonance/* . && cp torque-velocity.csv x.csv && cp torque-velocity.csv record.svdx"},
+     "cp $samples/resonance/* . && cp torque-velocity.csv x.csv && cp torque-velocity.csv record.svdx && "
+     "cp $samples/circle/ccw.csv circle.svdx"},
     {"docs/report.md", "cp -r $samples/controller/. $samples/mill/* . && mkdir old && cp -r listen prog old"},
     {"docs/runtime.md",
      "cp $samples/mill/* . && axisc compile machine.json -o mill.axim -q 2>findings && "
