@@ -22,6 +22,18 @@ double finest_change(std::span<ChainAnswer const> answers) {
   return std::numbers::pi / length;
 }
 
+/// No axis is farther from a circle of radius 1 than the path: by 1, or, as no component becomes larger than the
+/// sum P of the magnitudes of its taps, by  √2 P - 1.
+double largest_error(std::span<ChainAnswer const> answers) {
+  double most = 1;
+  for (auto const& answer : answers) {
+    double sum = 0;
+    for (std::size_t n = 0; n < answer.tap_count(); ++n) sum += std::abs(answer.tap(n));
+    most = std::max(most, std::numbers::sqrt2 * sum - 1);
+  }
+  return most;
+}
+
 /// Where a function with one hump between two places is highest, by the golden section.
 template <class Function>
 double highest_place(Function const& function, double low, double high) {
@@ -43,7 +55,11 @@ std::optional<double> corner_velocity(std::span<ChainAnswer const> answers, doub
 }
 
 CircleVelocities::CircleVelocities(std::span<ChainAnswer const> answers)
-    : answers_(answers), step_(finest_change(answers) / steps_per_change), errors_{0}, highest_{0} {}
+    : answers_(answers),
+      step_(finest_change(answers) / steps_per_change),
+      most_(largest_error(answers)),
+      errors_{0},
+      highest_{0} {}
 
 double CircleVelocities::error(double angle) const {
   return largest_circle_error(answers_, std::min(angle, std::numbers::pi), 1);
@@ -68,6 +84,7 @@ void CircleVelocities::look_further() {
 
 std::optional<double> CircleVelocities::highest(double radius, double tolerance) {
   double const share = tolerance / radius;
+  if (share >= most_) return std::nullopt;
   double const last = std::numbers::pi / step_;
   // A hump is seen only from the step after it.
   while (highest_[highest_.size() - std::min<std::size_t>(2, highest_.size())] <= share &&

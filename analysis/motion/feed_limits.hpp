@@ -33,6 +33,7 @@ class CircleVelocities {
 
   std::span<ChainAnswer const> answers_;
   double step_ = 0;
+  double most_ = 0;              ///< that an error can be
   std::vector<double> errors_;   ///< at whole steps
   std::vector<double> highest_;  ///< up to each of them
 };

@@ -157,6 +157,8 @@ TEST_CASE("the feed that keeps a tolerance has that error") {
   auto const circle = circle_velocity(answers, 1e5, 10);
   REQUIRE(circle.has_value());
   CHECK(predict_circle(answers, *circle, 1e5).largest_axis_error() == Approx(10));
+  // Setpoints that come to rest in the centre are away by the radius, and no tolerance above it is exceeded.
+  CHECK_FALSE(circle_velocity(answers, 1e5, 1.01e5).has_value());
   auto const unfiltered = test::answers_of(test::channel_of({{.order = 0}, {.order = 0}}));
   CHECK_FALSE(corner_velocity(unfiltered, pi / 2, 10).has_value());
   CHECK_FALSE(circle_velocity(unfiltered, 1e5, 10).has_value());
