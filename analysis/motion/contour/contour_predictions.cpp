@@ -100,8 +100,9 @@ std::vector<std::complex<double>> const& directions() {
   static auto const made = [] {
     constexpr int count = 3600;
     std::vector<std::complex<double>> setpoints;
-    for (int i = 0; i < count / 2; ++i)
+    for (int i = 0; i < count / 2; ++i) {
       setpoints.push_back(std::polar(1.0, 2 * std::numbers::pi * i / count));
+    }
     return setpoints;
   }();
   return made;

@@ -162,8 +162,9 @@ class BudgetBlocks {
       section.blocks.emplace_back(Paragraph{std::move(sentence)});
     }
     bool const may_lag = validator::position_controller(axis) != machine::PositionController::drive;
-    if (may_lag && !axis.merged.values.at("getriebe[].kv").set())
+    if (may_lag && !axis.merged.values.at("getriebe[].kv").set()) {
       section.blocks.emplace_back(Paragraph{says::no_gain});
+    }
     axes.items.push_back(std::move(section));
   }
 

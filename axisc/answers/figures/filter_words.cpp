@@ -98,8 +98,9 @@ std::optional<Words> filter_words(image::ImageContents const& contents, std::siz
   if (!slot || !slot->kernel) return all;
   auto const& kernel = contents.kernels[*slot->kernel].specification;
   auto words = words_of(*slot, kernel);
-  if (slot->family != machine::KernelFamily::guard)
+  if (slot->family != machine::KernelFamily::guard) {
     words = with_share(std::move(words), kernel.share_percent);
+  }
   add(slot->on_at_start ? words : Words(says::filter_starts_off, {{"filter", words}}));
   return all;
 }

@@ -59,8 +59,9 @@ std::vector<MeasuredPoint> read_measured_response(std::string const& path) {
   auto const magnitudes = magnitude.values.values();
   auto const phases = phase != nullptr ? phase->values.values() : std::vector<double>();
   for (std::size_t row = 0; row < frequencies.size() && row < magnitudes.size(); ++row) {
-    if (!(frequencies[row] > 0) || !std::isfinite(frequencies[row]) || !std::isfinite(magnitudes[row]))
+    if (!(frequencies[row] > 0) || !std::isfinite(frequencies[row]) || !std::isfinite(magnitudes[row])) {
       continue;
+    }
     bool const has_phase = row < phases.size() && std::isfinite(phases[row]);
     points.push_back({.frequency = frequencies[row],
                       .magnitude_db = magnitudes[row],

@@ -69,7 +69,8 @@ ReportBlocks contours(ReportSubject const& subject, std::size_t group, GroupCont
                                .axes = axis_names(subject.plots->contents(), chains.group()),
                                .language = subject.language};
   blocks.emplace_back(Picture{delay_figure(distinct_axes(subject, subject.machine->groups[group]))});
-  for (auto& figure : {corner_figure(contour, subject.contour), circle_figure(contour, subject.contour)}) {
+  for (auto const& figure :
+       {corner_figure(contour, subject.contour), circle_figure(contour, subject.contour)}) {
     // The table of contours has these figures.
     blocks.emplace_back(Picture{figure});
     std::get<Picture>(blocks.back()).figure.table = {};

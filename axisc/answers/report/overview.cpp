@@ -69,8 +69,8 @@ bool delay_alike(AxisDelay const& one, AxisDelay const& other) {
 
 bool alike(PlotSubject const& subject, std::size_t a, std::size_t b) {
   auto const& contents = subject.contents();
-  if (contents.axes[a].type != contents.axes[b].type || !image::filter_alike(contents, a, contents, b))
-    return false;
+  if (contents.axes[a].type != contents.axes[b].type) return false;
+  if (!image::filter_alike(contents, a, contents, b)) return false;
   auto const old_a = subject.axis_before(a);
   auto const old_b = subject.axis_before(b);
   if (!old_a || !old_b) return !old_a && !old_b;

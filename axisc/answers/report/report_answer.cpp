@@ -65,7 +65,8 @@ void fill_cover(ReportSubject& subject, ReportQuestion const& question,
   std::string folder = question.input;
   while (folder.ends_with('/') || folder.ends_with('\\')) folder.pop_back();
   folder = validator::file_name(folder);
-  bool const is_name = loaded.start_up && !folder.empty() && folder.find_first_not_of('.') != folder.npos;
+  bool const is_name =
+      loaded.start_up && !folder.empty() && folder.find_first_not_of('.') != std::string::npos;
   subject.cover.title = is_name ? folder : loaded.name;
 }
 

@@ -171,8 +171,9 @@ void switch_off(std::vector<ListLine>& lines, EffectiveValues const& values) {
     }
   }
   validator::GuardView const guard(values);
-  if (guard.is_active() && !sets(lines, parameter_name(guard.active)))
+  if (guard.is_active() && !sets(lines, parameter_name(guard.active))) {
     lines.push_back({.name = parameter_name(guard.active), .value = "0"});
+  }
   validator::FirView const fir(values);
   if (sets(lines, parameter_name(fir.type))) {
     for (auto const* const value : {&fir.order_time, &fir.frequency, &fir.quality}) reset(lines, *value);
