@@ -22,8 +22,8 @@ double finest_change(std::span<ChainAnswer const> answers) {
   return std::numbers::pi / length;
 }
 
-/// No axis is farther from a circle of radius 1 than the path: by 1, or, as no component becomes larger than the
-/// sum P of the magnitudes of its taps, by  √2 P - 1.
+/// No axis is farther from a circle of radius 1 than the path: by 1, or, as no component becomes larger than
+/// the sum P of the magnitudes of its taps, by  √2 P - 1.
 double largest_error(std::span<ChainAnswer const> answers) {
   double most = 1;
   for (auto const& answer : answers) {
