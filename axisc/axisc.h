@@ -16,8 +16,8 @@
  * when the workspace is closed. Each is followed by a NUL that its size does not count.
  * Threads: any number of workspaces, in any threads; one call at a time in each (AXISC_BUSY otherwise),
  * except axisc_cancel().
- * Versions: numbers never change meaning, structures begin with their size, JSON carries its version
- * (docs/schemas). */
+ * Versions: numbers never change meaning, axisc_files begins with its size, axisc_bytes stays as it is, JSON
+ * carries its version (docs/schemas). */
 #ifndef AXISC_H
 #define AXISC_H
 
@@ -76,7 +76,7 @@ int axisc_open(char const* options, axisc_files const* files, axisc_workspace** 
 void axisc_close(axisc_workspace* workspace);
 
 /* Text that is not on the disk, in the place of a file or beside them; a folder is searched on the disk
- * alone. */
+ * alone. "./x.lis" is "x.lis"; a relative and an absolute path are two names. */
 int axisc_put(axisc_workspace* workspace, char const* path, void const* bytes, size_t size);
 int axisc_drop(axisc_workspace* workspace, char const* path);
 /* The bytes as they are now. */
@@ -109,11 +109,11 @@ int axisc_compile(axisc_workspace* workspace, char const* path, char const* opti
  *   delay_budget  what delays its axes                       "format"
  *   diff          what differs from "before", another input  "format"
  *   inspect       what is in an image                        "axis", "format"
- *   response      of an image: "axis", "port" (setpoint, interface, velocity), "frequencies" ("10,20");
- *                 "format"
- *   picture       "kind" as `axisc plot` has them, "axis", "group", "before", "program", "plant", "move";
- *                 an SVG
- *   report        the acceptance report                      "before"; HTML
+ *   response      "axis", "port" (setpoint, interface, velocity), "frequencies" ("10,20"); "format"
+ *   picture       "kind" as `axisc plot` has them but compare, "axis", "group", "before", "program", "plant",
+ *                 "move"; an SVG
+ *   report        the acceptance report                      "before", "title", "customer", "author", "date";
+ *                 HTML
  *   explain       "word": a code, a parameter, a message     "format"
  * "format" is text (default), json, csv, markdown or html. */
 int axisc_answer(axisc_workspace* workspace, char const* question, axisc_bytes* answer);

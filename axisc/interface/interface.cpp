@@ -5,24 +5,21 @@
 #include "axisc/checking/fixing.hpp"
 #include "axisc/checking/identity_paths.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "axisc/checking/report_context.hpp"
 #include "axisc/checking/report_format.hpp"
-#include "axisc/checking/report_stream.hpp"
-#include "axisc/environment/failure_line.hpp"
 #include "axisc/interface/asked.hpp"
-#include "axisc/interface/provided_files.hpp"
+#include "axisc/interface/call.hpp"
+#include "axisc/interface/json_findings.hpp"
 #include "axisc/interface/questions.hpp"
 #include "diagnostics/utf8.hpp"
-#include "editor/session.hpp"
-#include "system/file.hpp"
+#include "validator/loading/loader.hpp"
 
 #include <array>
 #include <cstdlib>
 #include <cstring>
-#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -32,11 +29,7 @@
 
 namespace axisc::says {
 
-constexpr Sentence bad_argument{"a pointer is null, or a number or the size of a structure is unknown",
-                                "ein Zeiger ist null, oder eine Zahl oder Strukturgröße ist unbekannt"};
 constexpr Sentence not_utf8{"a path is not UTF-8", "ein Pfad ist nicht UTF-8"};
-constexpr Sentence not_opened{"the workspace was not opened", "der Arbeitsbereich wurde nicht geöffnet"};
-constexpr Sentence cancelled{"the call was cancelled", "der Aufruf wurde abgebrochen"};
 constexpr Sentence image_number{
     R"("image_version" is a whole number from 0 to 4294967295, not "{value}")",
     R"("image_version" ist eine ganze Zahl von 0 bis 4294967295, nicht "{value}")"};
@@ -46,56 +39,17 @@ constexpr Sentence image_number{
 using namespace axisc;
 using interface::Asked;
 using interface::BadArgument;
-
-struct axisc_workspace {
-  Language language = Language::english;
-  std::optional<std::string> cycle_time;
-  axisc_files from{};  ///< read null: the disk
-  EditedBytes unsaved;
-  std::unique_ptr<editor::Session> session;
-  std::string error;
-  std::string input;       ///< what the call is about
-  bool is_usable = false;  ///< opened without a mistake
-  std::atomic<bool> is_in_call = false;
-  std::atomic<bool> is_cancelled = false;
-};
+using interface::call;
+using interface::JsonFindings;
+using interface::Now;
+using interface::require;
+using interface::Wanted;
 
 namespace {
-
-enum class Wanted : std::uint8_t { findings, machine };
-
-/// Files and settings as they are during one call.
-struct Now {
-  interface::ProvidedFiles files;
-  Workspace workspace;
-
-  explicit Now(axisc_workspace& object, Wanted wanted = Wanted::machine)
-      : files(object.from, object.is_cancelled), workspace(files, overrides_of(object, wanted)) {
-    workspace.put_all(object.unsaved);
-  }
-
-  [[nodiscard]] bool has(std::string const& path) {
-    auto const read = workspace.files().read(path);
-    auto const* const error = std::get_if<configuration::FileError>(&read);
-    return error == nullptr || *error != configuration::FileError::not_found ||
-           system::kind_of(path) == system::FileKind::folder;
-  }
-
-  static Overrides overrides_of(axisc_workspace const& object, Wanted wanted) {
-    Overrides overrides;
-    overrides.options.machine = wanted == Wanted::machine;
-    overrides.options.cycle_time_otherwise = asked_cycle_time(object.cycle_time);
-    return overrides;
-  }
-};
 
 int give(std::string const& text, axisc_bytes* bytes) {
   if (axisc_copy(bytes, text.data(), text.size()) != AXISC_OK) throw std::bad_alloc();
   return AXISC_OK;
-}
-
-void require(bool condition) {
-  if (!condition) throw BadArgument({says::bad_argument});
 }
 
 /// A name that findings and JSON can repeat.
@@ -103,59 +57,6 @@ std::string named(char const* path) {
   std::string name(path);
   if (valid_utf8_prefix(name) != name.size()) throw BadArgument({says::not_utf8});
   return name;
-}
-
-/// The exception that is being handled.
-int result_of_exception(axisc_workspace& object) {
-  try {
-    throw;
-  } catch (interface::Cancelled const&) {
-    object.error = Failure({says::cancelled}).line(object.language);
-    return AXISC_CANCELLED;
-  } catch (std::bad_alloc const&) {
-    return AXISC_NO_MEMORY;  // a line about it would need some
-  } catch (...) {
-    object.error += failure_line(object.language);
-  }
-  try {
-    throw;
-  } catch (BadArgument const&) {
-    return AXISC_BAD_ARGUMENT;
-  } catch (Failure const&) {
-    object.is_cancelled = false;
-    bool const is_missing = !object.input.empty() && !Now(object).has(object.input);
-    return is_missing ? AXISC_NOT_FOUND : AXISC_UNUSABLE;
-  } catch (configuration::SourceChanged const&) {
-    return AXISC_UNUSABLE;
-  } catch (...) {
-    return AXISC_INTERNAL;
-  }
-}
-
-/// No exception leaves the library. `pointers` must not be null.
-template <typename Work>
-int call(axisc_workspace* object, std::initializer_list<void const*> pointers, axisc_bytes* result,
-         Work const& work) {
-  if (result != nullptr) *result = {.data = nullptr, .size = 0};
-  if (object == nullptr) return AXISC_BAD_ARGUMENT;
-  if (object->is_in_call.exchange(true)) return AXISC_BUSY;
-  object->is_cancelled = false;
-  object->error.clear();
-  object->input.clear();
-  int status = AXISC_INTERNAL;
-  try {
-    try {
-      if (!object->is_usable) throw BadArgument({says::not_opened});
-      for (auto const* const pointer : pointers) require(pointer != nullptr);
-      status = work(*object);
-    } catch (...) {
-      status = result_of_exception(*object);
-    }
-  } catch (...) {
-    status = AXISC_NO_MEMORY;  // while words for another failure were sought
-  }
-  object->is_in_call = false;
-  return status;
 }
 
 Inputs inputs_of(Now& now, std::string const& path) {
@@ -172,43 +73,6 @@ Inputs inputs_of(Now& now, std::string const& path) {
   now.workspace.judge_in_machines(inputs);
   return inputs;
 }
-
-/// Findings as JSON, and the lines about what cannot be read.
-class Report {
- public:
-  Report(Now& now, axisc_workspace& object, std::string const& first)
-      : object_(object),
-        identity_paths_(now.workspace.settings()),
-        stream_({.report_format = {.format = FindingFormat::json,
-                                   .write = {.language = object.language},
-                                   .context = report_context(first)},
-                 .baseline = {},
-                 .identity_paths = &identity_paths_},
-                [this](std::string_view piece) { text_ += piece; }) {}
-
-  void fail(Failure const& failure) {
-    has_failed_ = true;
-    object_.error += failure.line(object_.language);
-    stream_.fail(failure);
-  }
-  void add(CheckedInput const& checked) {
-    if (checked.failure) fail(*checked.failure);
-    stream_.add(checked);
-  }
-  [[nodiscard]] std::string const& text() {
-    stream_.finish({}, [](Code) { return true; });
-    return text_;
-  }
-  [[nodiscard]] bool has_failed() const { return has_failed_; }
-  [[nodiscard]] bool has_errors() const { return stream_.counts().errors > 0; }
-
- private:
-  axisc_workspace& object_;
-  IdentityPaths identity_paths_;
-  std::string text_;
-  bool has_failed_ = false;
-  ReportStream stream_;
-};
 
 constexpr std::array no_or_yes = {std::pair(std::string_view("no"), false),
                                   std::pair(std::string_view("yes"), true)};
@@ -252,8 +116,9 @@ int axisc_open(char const* options, axisc_files const* files, axisc_workspace** 
   *workspace = new (std::nothrow) axisc_workspace();
   if (*workspace == nullptr) return AXISC_NO_MEMORY;
   (*workspace)->is_usable = true;
-  auto const status =
-      call(*workspace, {}, nullptr, [&](axisc_workspace& object) { return opened(object, options, files); });
+  auto const status = call(*workspace, {}, nullptr, [&](axisc_workspace& object, std::optional<Now>&) {
+    return opened(object, options, files);
+  });
   // A cycle time is an option, not an input that cannot be used.
   (*workspace)->is_usable = status == AXISC_OK;
   return status == AXISC_UNUSABLE ? AXISC_BAD_ARGUMENT : status;
@@ -264,133 +129,142 @@ void axisc_close(axisc_workspace* workspace) {
 }
 
 int axisc_put(axisc_workspace* workspace, char const* path, void const* bytes, size_t size) {
-  return call(workspace, {path}, nullptr, [&](axisc_workspace& object) -> int {
+  return call(workspace, {path}, nullptr, [&](axisc_workspace& object, std::optional<Now>&) -> int {
     require(bytes != nullptr || size == 0);
     auto const* const first = static_cast<char const*>(bytes);
-    object.unsaved.insert_or_assign(named(path), size == 0 ? std::string() : std::string(first, size));
+    object.unsaved.insert_or_assign(validator::key_of(named(path)),
+                                    size == 0 ? std::string() : std::string(first, size));
     return AXISC_OK;
   });
 }
 
 int axisc_drop(axisc_workspace* workspace, char const* path) {
-  return call(workspace, {path}, nullptr, [&](axisc_workspace& object) -> int {
-    object.unsaved.erase(path);
+  return call(workspace, {path}, nullptr, [&](axisc_workspace& object, std::optional<Now>&) -> int {
+    object.unsaved.erase(validator::key_of(path));
     return AXISC_OK;
   });
 }
 
 int axisc_read(axisc_workspace* workspace, char const* path, axisc_bytes* bytes) {
-  return call(workspace, {path, bytes}, bytes, [&](axisc_workspace& object) -> int {
-    object.input = named(path);
-    auto const read = Now(object).workspace.files().read(path);
-    if (auto const* const error = std::get_if<configuration::FileError>(&read)) {
-      throw unreadable(path, *error);
-    }
-    return give(std::get<std::string>(read), bytes);
-  });
+  return call(workspace, {path, bytes}, bytes,
+              [&](axisc_workspace& object, std::optional<Now>& opened_now) -> int {
+                object.input = named(path);
+                auto const read = opened_now.emplace(object).workspace.files().read(path);
+                if (auto const* const error = std::get_if<configuration::FileError>(&read)) {
+                  throw unreadable(path, *error);
+                }
+                return give(std::get<std::string>(read), bytes);
+              });
 }
 
 int axisc_check(axisc_workspace* workspace, char const* path, axisc_bytes* findings) {
-  return call(workspace, {path, findings}, findings, [&](axisc_workspace& object) -> int {
-    object.input = named(path);
-    Now now(object, Wanted::findings);
-    auto const inputs = inputs_of(now, path);
-    Report report(now, object, inputs.first);
-    for (auto const& failure : inputs.failures) report.fail(failure);
-    for (auto const& input : inputs.paths) {
-      now.files.stop_if_cancelled();
-      report.add(check_input(now.workspace, input, nullptr));
-    }
-    give(report.text(), findings);
-    if (report.has_failed()) return now.has(path) ? AXISC_UNUSABLE : AXISC_NOT_FOUND;
-    return report.has_errors() ? AXISC_FINDINGS : AXISC_OK;
-  });
+  return call(workspace, {path, findings}, findings,
+              [&](axisc_workspace& object, std::optional<Now>& opened_now) -> int {
+                object.input = named(path);
+                auto& now = opened_now.emplace(object, Wanted::findings);
+                auto const inputs = inputs_of(now, path);
+                JsonFindings report(now, object, inputs.first);
+                for (auto const& failure : inputs.failures) report.fail(failure);
+                for (auto const& input : inputs.paths) {
+                  now.files.stop_if_cancelled();
+                  report.add(check_input(now.workspace, input, nullptr));
+                }
+                give(report.text(), findings);
+                if (report.has_failed()) return now.has(path) ? AXISC_UNUSABLE : AXISC_NOT_FOUND;
+                return report.has_errors() ? AXISC_FINDINGS : AXISC_OK;
+              });
 }
 
 int axisc_fix(axisc_workspace* workspace, char const* path, int fixes, axisc_bytes* changed) {
-  return call(workspace, {path, changed}, changed, [&](axisc_workspace& object) -> int {
-    require(fixes == AXISC_FIX_SAFE || fixes == AXISC_FIX_ALL);
-    object.input = named(path);
-    Now now(object, Wanted::findings);
-    auto const inputs = inputs_of(now, path);
-    IdentityPaths identity_paths(now.workspace.settings());
-    auto const choice = fixes == AXISC_FIX_ALL ? FixChoice::all : FixChoice::safe;
-    auto fixed =
-        fix_inputs(now.workspace, inputs.paths, choice, {}, identity_paths, ChangeableFiles(inputs.named));
-    if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
-    if (!fixed.failures.empty()) throw Failure(fixed.failures.front());
-    std::erase_if(fixed.original,
-                  [&](auto const& original) { return fixed.edited.at(original.first) == original.second; });
-    auto paths = nlohmann::json::array();
-    for (auto const& [file, before] : fixed.original) paths.push_back(file);
-    give(paths.dump(), changed);
-    for (auto const& [file, before] : fixed.original) object.unsaved[file] = fixed.edited.at(file);
-    return AXISC_OK;
-  });
+  return call(workspace, {path, changed}, changed,
+              [&](axisc_workspace& object, std::optional<Now>& opened_now) -> int {
+                require(fixes == AXISC_FIX_SAFE || fixes == AXISC_FIX_ALL);
+                object.input = named(path);
+                auto& now = opened_now.emplace(object, Wanted::findings);
+                auto const inputs = inputs_of(now, path);
+                IdentityPaths identity_paths(now.workspace.settings());
+                auto const choice = fixes == AXISC_FIX_ALL ? FixChoice::all : FixChoice::safe;
+                auto fixed = fix_inputs(now.workspace, inputs.paths, choice, {}, identity_paths,
+                                        ChangeableFiles(inputs.named));
+                if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
+                if (!fixed.failures.empty()) throw Failure(fixed.failures.front());
+                std::erase_if(fixed.original, [&](auto const& original) {
+                  return fixed.edited.at(original.first) == original.second;
+                });
+                auto paths = nlohmann::json::array();
+                for (auto const& [file, before] : fixed.original) paths.push_back(file);
+                give(paths.dump(), changed);
+                for (auto const& [file, before] : fixed.original)
+                  object.unsaved[validator::key_of(file)] = fixed.edited.at(file);
+                return AXISC_OK;
+              });
 }
 
 int axisc_compile(axisc_workspace* workspace, char const* path, char const* options, axisc_bytes* image,
                   axisc_bytes* findings) {
   if (findings != nullptr) *findings = {.data = nullptr, .size = 0};
-  return call(workspace, {path, image}, image, [&](axisc_workspace& object) -> int {
-    auto const wanted = image_options(options);
-    object.input = named(path);
-    Now now(object);
-    auto const machine = machine_of_input(now.workspace, {.input = path}).machine;
-    codegen::KnownDesigns designs;
-    CheckingOptions const checking;
-    auto const compiled = compile_input({.workspace = now.workspace,
-                                         .checking = checking,
-                                         .image = wanted,
-                                         .language = object.language,
-                                         .designs = designs},
-                                        machine);
-    if (findings != nullptr) {
-      Report report(now, object, machine);
-      report.add(compiled.checked);
-      give(report.text(), findings);
-      object.error.clear();
-    }
-    if (compiled.image) return give(compiled.image->bytes, image);
-    object.error = texts_of({compiled.checked.findings.begin(), compiled.checked.findings.end()},
-                            compiled.checked.sources, {.language = object.language});
-    if (compiled.checked.failure) throw Failure(*compiled.checked.failure);
-    return AXISC_FINDINGS;
-  });
+  return call(workspace, {path, image}, image,
+              [&](axisc_workspace& object, std::optional<Now>& opened_now) -> int {
+                auto const wanted = image_options(options);
+                object.input = named(path);
+                auto& now = opened_now.emplace(object);
+                auto const machine = machine_of_input(now.workspace, {.input = path}).machine;
+                codegen::KnownDesigns designs;
+                CheckingOptions const checking;
+                auto const compiled = compile_input({.workspace = now.workspace,
+                                                     .checking = checking,
+                                                     .image = wanted,
+                                                     .language = object.language,
+                                                     .designs = designs},
+                                                    machine);
+                if (findings != nullptr) {
+                  JsonFindings report(now, object, machine);
+                  report.add(compiled.checked);
+                  give(report.text(), findings);
+                  object.error.clear();
+                }
+                if (compiled.image) return give(compiled.image->bytes, image);
+                object.error = texts_of({compiled.checked.findings.begin(), compiled.checked.findings.end()},
+                                        compiled.checked.sources, {.language = object.language});
+                if (compiled.checked.failure) throw Failure(*compiled.checked.failure);
+                return AXISC_FINDINGS;
+              });
 }
 
 int axisc_answer(axisc_workspace* workspace, char const* question, axisc_bytes* answer) {
-  return call(workspace, {question, answer}, answer, [&](axisc_workspace& object) -> int {
-    Asked const asked(question);
-    object.input = asked.text("input");
-    Now now(object);
-    auto const found = interface::answer(
-        now.workspace, asked,
-        {.language = object.language,
-         .take = [&object](std::vector<Finding> const& found_first, SourceSet const& sources) {
-           object.error += texts_of(found_first, sources, {.language = object.language});
-         }});
-    return found ? give(*found, answer) : AXISC_FINDINGS;
-  });
+  return call(workspace, {question, answer}, answer,
+              [&](axisc_workspace& object, std::optional<Now>& opened_now) -> int {
+                Asked const asked(question);
+                object.input = asked.text("input");
+                auto& now = opened_now.emplace(object);
+                auto const found = interface::answer(
+                    now.workspace, asked,
+                    {.language = object.language,
+                     .take = [&object](std::vector<Finding> const& found_first, SourceSet const& sources) {
+                       object.error += texts_of(found_first, sources, {.language = object.language});
+                     }});
+                return found ? give(*found, answer) : AXISC_FINDINGS;
+              });
 }
 
 int axisc_message(axisc_workspace* workspace, char const* messages, axisc_bytes* replies) {
-  return call(workspace, {messages, replies}, replies, [&](axisc_workspace& object) -> int {
-    auto const arrived = interface::asked_texts(messages);
-    auto& session = object.session;
-    if (session == nullptr) {
-      validator::CheckOptions options;
-      options.cycle_time_otherwise = asked_cycle_time(object.cycle_time);
-      session = std::make_unique<editor::Session>(std::move(options), object.language);
-    }
-    std::string text = "[";
-    auto const send = [&](std::vector<std::string> const& sent) {
-      for (auto const& message : sent) text.append(text.size() > 1 ? "," : "").append(message);
-    };
-    if (!session->has_ended()) send(session->take(arrived));
-    if (!session->has_ended()) send(session->publish());
-    return give(text + "]", replies);
-  });
+  return call(workspace, {messages, replies}, replies,
+              [&](axisc_workspace& object, std::optional<Now>&) -> int {
+                auto const arrived = interface::asked_texts(messages);
+                auto& session = object.session;
+                if (session == nullptr) {
+                  validator::CheckOptions options;
+                  options.cycle_time_otherwise = asked_cycle_time(object.cycle_time);
+                  session = std::make_unique<editor::Session>(std::move(options), object.language);
+                }
+                std::string text = "[";
+                auto const send = [&](std::vector<std::string> const& sent) {
+                  for (auto const& message : sent) text.append(text.size() > 1 ? "," : "").append(message);
+                };
+                if (!session->has_ended()) send(session->take(arrived));
+                if (!session->has_ended()) send(session->publish());
+                return give(text + "]", replies);
+              });
 }
 
 void axisc_cancel(axisc_workspace* workspace) {

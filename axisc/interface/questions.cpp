@@ -12,6 +12,7 @@
 #include "axisc/answers/values/values_answer.hpp"
 #include "axisc/asked/frequencies.hpp"
 #include "axisc/asked/quantities.hpp"
+#include "axisc/checking/compiled_input.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "presentation/pictures/svg.hpp"
@@ -21,6 +22,7 @@
 #include <array>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace axisc::says {
@@ -76,34 +78,38 @@ Answer diff(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
   auto const sides = compared_sides(workspace, before, after, errors);
   if (!sides) return std::nullopt;
   auto const difference = compare_machines(*sides->before, *sides->after, false);
-  return written(difference_answer({.before = before, .after = after, .difference = difference}), asked,
-                 errors.language);
+  return written(
+      difference_answer(
+          {.before = before, .after = after, .difference = difference, .read_by_both = sides->read_by_both}),
+      asked, errors.language);
 }
 
-ImageFile asked_image(Workspace const& workspace, std::string const& path) {
-  auto const put = workspace.unsaved().find(path);
-  return image_of_bytes(path,
-                        put != workspace.unsaved().end() ? put->second : read_whole(path, Dash::is_a_name));
+/// Why there is none.
+Failure no_image(Workspace& workspace, std::string const& path) {
+  auto const read = workspace.files().read(path);
+  auto const* const error = std::get_if<configuration::FileError>(&read);
+  return error != nullptr ? unreadable(path, *error) : unusable_image(path, AXISRT_WRONG_MAGIC);
 }
 
 Answer inspect(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
   InspectQuestion const question{.image = asked.text("input"), .axis = asked.find("axis")};
-  return written(inspect_answer(question, asked_image(workspace, question.image)), asked, errors.language);
+  auto const image = image_in(workspace, question.image);
+  if (!image) throw no_image(workspace, question.image);
+  return written(inspect_answer(question, *image), asked, errors.language);
 }
 
 Answer response(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
-  static constexpr std::array ports = {std::pair(std::string_view("setpoint"), Port::setpoint),
-                                       std::pair(std::string_view("interface"), Port::interface),
-                                       std::pair(std::string_view("velocity"), Port::velocity)};
   ResponseQuestion question;
   question.image = asked.text("input");
   question.axis = asked.find("axis");
   question.port = asked.word("port", ports);
-  auto const file = asked_image(workspace, question.image);
+  auto const input = compiled_input(workspace, {.input = question.image}, errors);
+  if (!input) return std::nullopt;
+  if (!question.axis) question.axis = input->axis();
   if (auto const list = asked.find("frequencies")) {
-    question.frequencies = parse_frequencies(*list, file.contents.cycle_time);
+    question.frequencies = parse_frequencies(*list, input->image.contents.cycle_time);
   }
-  return written(response_answer(question, file), asked, errors.language);
+  return written(response_answer(question, input->image), asked, errors.language);
 }
 
 Answer picture(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {

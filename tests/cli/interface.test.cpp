@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -302,14 +303,14 @@ namespace {
 struct Shelf {
   std::string text;
   int result = AXISC_OK;
-  int asked = 0;
+  std::map<std::string, int> asked = {};
   axisc_workspace* cancelled = nullptr;
   axisc_workspace* called = nullptr;  ///< checks once more within the callback
   int called_result = 0;
 
   static int read(void* context, char const* path, axisc_bytes* file) {
     auto& shelf = *static_cast<Shelf*>(context);
-    ++shelf.asked;
+    ++shelf.asked[path];
     axisc_bytes findings{};
     if (shelf.cancelled != nullptr) axisc_cancel(shelf.cancelled);
     if (shelf.called != nullptr) shelf.called_result = axisc_check(shelf.called, path, &findings);
@@ -335,6 +336,35 @@ TEST_CASE("axisc.h reads files by the caller's functions, each once in a call") 
   CHECK(opened.call(axisc_read, "shelf/x.lis") == shelf.text);
   opened.call(axisc_check, samples + "/mill/x.lis");
   CHECK(opened.status == AXISC_NOT_FOUND);  // it is on the disk alone
+  for (std::string const path : {"shelf/x.lis", "shelf/missing.lis"}) {
+    INFO(path);
+    shelf.asked.clear();
+    opened.call(axisc_check, path);
+    CHECK(shelf.asked[path] == 1);
+    shelf.asked.clear();
+    opened.call(axisc_read, path);
+    CHECK(shelf.asked[path] == 1);
+  }
+}
+
+TEST_CASE("axisc.h: unsaved text counts however the path is spelt, and so do unsaved images") {
+  TemporaryFolder const folder;
+  auto const path = folder.write("x.lis", "kopf.achs_nr 1\n");
+  Opened opened(R"({"cycle_time": "1ms"})");
+  std::string const bad = "kopf.achs_nr 01\n";
+  opened.put(folder / "./x.lis", bad);
+  CHECK(findings_in(opened.call(axisc_check, path)).at(0).at("code") == "AX1006");
+  REQUIRE(axisc_drop(opened.get(), path.c_str()) == AXISC_OK);
+  CHECK(findings_in(opened.call(axisc_check, path)).empty());
+
+  std::string const name = folder / "unsaved.axim";
+  opened.put(name, opened.compile(samples + "/motion/rack/machine.json"));
+  for (std::string const question : {"inspect", "response", "picture"}) {
+    INFO(question);
+    auto const asked = nlohmann::json{{"question", question}, {"input", name}};
+    CHECK_THAT(opened.call(axisc_answer, asked.dump()), Catch::Matchers::Contains("X"));
+    CHECK(opened.status == AXISC_OK);
+  }
 }
 
 TEST_CASE("axisc.h outlives functions that fail, lie, cancel or call again") {
