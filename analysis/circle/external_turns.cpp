@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
+#include <utility>
 
 namespace axisc::circle {
 
@@ -28,7 +28,7 @@ std::variant<std::vector<Turn>, BadTurn> external_turns(std::vector<double> cons
     // Back from the last point, as long as the angle changes in one direction, at most once around.
     std::size_t begin = end - 1;
     double covered = 0;
-    while (begin > 0 && step(begin) * step(end - 1) >= 0 && std::abs(covered) < whole_turn) {
+    while (begin > 0 && step(begin) * covered >= 0 && std::abs(covered) < whole_turn) {
       covered += step(begin--);
     }
     std::size_t const points = end - begin;
@@ -40,7 +40,7 @@ std::variant<std::vector<Turn>, BadTurn> external_turns(std::vector<double> cons
     if (!is_whole && std::abs(covered) > bad.degrees) bad.degrees = std::abs(covered);
     if (is_whole && points < fewest_points) return BadTurn{TurnProblem::few_points, whole_turn, points};
     if (is_whole && !is_known) {
-      Turn turn{.sense = sense, .samples = {}, .has_setpoint = false, .radius = radius};
+      Turn turn{.sense = sense, .samples = {}, .radius = radius};
       std::vector<double> angles;
       double angle = angles_deg[begin];
       for (std::size_t i = begin; i < end; ++i) {

@@ -1,7 +1,10 @@
 #include "analysis/circle/predicted_circle.hpp"
 
+#include "analysis/motion/contour/filtered_circle.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace axisc::circle {
@@ -25,11 +28,11 @@ double PredictedCircle::deviation_at(double angle, Sense sense) const {
 }
 
 Deviations PredictedCircle::deviations() const {
-  // Squares of the semi-axes: eigenvalues of M M^T.
-  double const mean = (gain_u * gain_u + gain_v * gain_v) / 2;
-  double const half = std::hypot((gain_u * gain_u - gain_v * gain_v) / 2, gain_u * gain_v * std::sin(phase));
-  double const large = radius * (std::sqrt(mean + half) - 1);
-  double const small = radius * (std::sqrt(std::max(0.0, mean - half)) - 1);
+  motion::FilteredCircle const filtered{.x = std::polar(gain_u, -phase / 2),
+                                        .y = std::polar(gain_v, phase / 2)};
+  auto const axes = filtered.semi_axes();
+  double const large = radius * (axes[0] - 1);
+  double const small = radius * (axes[1] - 1);
   double sum = 0;
   double hysteresis = 0;
   for (int i = 0; i < directions; ++i) {

@@ -24,6 +24,8 @@ struct PredictedCircle {
   /// G and G(b) are the difference of the semi-axes, F is the semi-axes - R, D the mean radius over the
   /// angle - R.
   [[nodiscard]] Deviations deviations() const;
+  /// A - B.
+  [[nodiscard]] double gain_difference() const { return gain_u - gain_v; }
   /// R ((A + B)/2 - 1).
   [[nodiscard]] double radius_deviation() const { return radius * ((gain_u - 1) + (gain_v - 1)) / 2; }
 };

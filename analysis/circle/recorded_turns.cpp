@@ -192,7 +192,7 @@ class TurnSearch {
     }
     std::reverse(places.begin(), places.end());
     std::reverse(angles.begin(), angles.end());
-    Turn turn{.sense = run.sense, .samples = {}, .has_setpoint = has_setpoint_};
+    Turn turn{.sense = run.sense, .samples = {}};
     turn.samples.resize(places.size());
     weigh(turn.samples, angles);
     auto const fill = [&](std::vector<double> const& u, std::vector<double> const& v, double u0, double v0) {

@@ -24,9 +24,8 @@ struct Sample {
 struct Turn {
   Sense sense = Sense::counterclockwise;
   std::vector<Sample> samples;  ///< in the order of time; weights are 2π together
-  bool has_setpoint = true;
-  double radius = 0;         ///< µm, of the setpoints; 0 without them
-  double angular_speed = 0;  ///< rad/s; 0: not known
+  double radius = 0;            ///< µm, of the setpoints; 0 without them
+  double angular_speed = 0;     ///< rad/s; 0: not known
 };
 
 /// Weights of positions at these angles, rad, which rise or fall over at least a turn and are the turn's last

@@ -22,20 +22,15 @@ constexpr Sentence foreign_axis{"--in {axis}={column}: the channel has the axes 
 
 namespace axisc {
 
-namespace {
-
-/// Called like the axis; none of several that differ.
-std::optional<ChosenColumn> column_called(RecordingFile const& file, std::string const& axis) {
+std::optional<ChosenColumn> column_called(RecordingFile const& file, std::string_view name) {
   auto const& channels = file.recording.channels;
   auto const found = std::find_if(channels.begin(), channels.end(), [&](recordings::Channel const& channel) {
-    return ascii::equal_ignoring_case(channel.name, axis);
+    return ascii::equal_ignoring_case(recordings::plain_name(channel.name), name);
   });
   if (found == channels.end()) return std::nullopt;
   auto const channel = static_cast<std::size_t>(found - channels.begin());
   return ChosenColumn{.channel = channel, .by = FoundBy::name, .object = recordings::object_of(*found)};
 }
-
-}  // namespace
 
 RecordedPositions read_recorded_positions(RecordingFile const& file, machine::Machine const& machine,
                                           std::size_t group, bool in_machine,

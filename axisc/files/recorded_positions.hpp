@@ -6,7 +6,9 @@
 #include "configuration/machine/machine.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace axisc {
@@ -15,6 +17,9 @@ namespace axisc {
 struct AxisColumn {
   std::string axis, column;
 };
+
+/// The first column of that name, in small letters or capitals, a unit behind it or not.
+[[nodiscard]] std::optional<ChosenColumn> column_called(RecordingFile const& file, std::string_view name);
 
 struct RecordedPositions {
   std::vector<std::size_t> axes;      ///< of the channel: those of the signals

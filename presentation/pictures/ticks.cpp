@@ -10,12 +10,7 @@ namespace {
 
 /// Of 1, 2 and 5 times a power of ten the largest with which at least `wanted` steps fit into `span`.
 double round_step(double span, std::size_t wanted) {
-  double const rough = span / static_cast<double>(std::max<std::size_t>(wanted, 1));
-  double const power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (double const factor : {5.0, 2.0}) {
-    if (factor * power <= rough) return factor * power;
-  }
-  return power;
+  return round_below(span / static_cast<double>(std::max<std::size_t>(wanted, 1)));
 }
 
 std::vector<double> linear_ticks(Axis const& axis, std::size_t wanted) {
@@ -45,6 +40,14 @@ std::vector<double> logarithmic_ticks(Axis const& axis, std::size_t wanted) {
 }
 
 }  // namespace
+
+double round_below(double value) {
+  double const power = std::pow(10.0, std::floor(std::log10(value)));
+  for (double const factor : {5.0, 2.0}) {
+    if (factor * power <= value) return factor * power;
+  }
+  return power;
+}
 
 std::vector<double> ticks_of(Axis const& axis, std::size_t wanted) {
   if (!axis.ticks.empty()) return axis.ticks;

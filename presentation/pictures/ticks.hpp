@@ -14,6 +14,9 @@ namespace axisc::pictures {
 /// Those of the axis itself where it names some.
 [[nodiscard]] std::vector<double> ticks_of(Axis const& axis, std::size_t wanted);
 
+/// 1, 2 or 5 times a power of ten, not above `value`.
+[[nodiscard]] double round_below(double value);
+
 /// A number as readers of the language write it: "-0.5", "20 000"; German "-0,5". At most six significant
 /// digits.
 [[nodiscard]] std::string number_text(double value, Language language);

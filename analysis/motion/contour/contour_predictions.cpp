@@ -1,5 +1,6 @@
 #include "analysis/motion/contour/contour_predictions.hpp"
 
+#include "analysis/motion/contour/filtered_circle.hpp"
 #include "analysis/motion/contour/nearest_point.hpp"
 #include "analysis/motion/contour/plane.hpp"
 
@@ -63,25 +64,11 @@ std::complex<double> gain(ChainAnswer const& answer, double theta) {
   return sum;
 }
 
-/// Setpoints r cos and r sin of an angle come out as the real part of one product and the imaginary part of
-/// another.
-struct Circle {
-  std::complex<double> x, y;
-
-  [[nodiscard]] Point at(std::complex<double> setpoint) const {
-    Point point{};
-    point[0] = (x * setpoint).real();
-    point[1] = (y * setpoint).imag();
-    return point;
-  }
-  /// From the nominal circle, of all points: the semi-axes of the ellipse are (|x + y| ± |x - y|) / 2.
-  [[nodiscard]] double largest_distance(double radius) const {
-    double const sum = std::abs(x + y);
-    double const difference = std::abs(x - y);
-    return std::max(std::abs((sum + difference) / 2 - radius),
-                    std::abs(std::abs(sum - difference) / 2 - radius));
-  }
-};
+/// From the nominal circle, of all points.
+double largest_distance(FilteredCircle const& circle, double radius) {
+  auto const [large, small] = circle.semi_axes();
+  return std::max(std::abs(large - radius), std::abs(small - radius));
+}
 
 /// What an axis makes of a circle, seen `delay` cycles later.
 std::complex<double> component(ChainAnswer const& answer, double delay, double velocity, double radius) {
@@ -90,7 +77,7 @@ std::complex<double> component(ChainAnswer const& answer, double delay, double v
 }
 
 /// The delay of the first axis is not a deviation: both axes are measured from there.
-Circle circle_in(Plane const& plane, double velocity, double radius) {
+FilteredCircle circle_in(Plane const& plane, double velocity, double radius) {
   return {.x = component(plane.first, plane.first.delay, velocity, radius),
           .y = component(plane.second, plane.first.delay, velocity, radius)};
 }
@@ -108,7 +95,7 @@ std::vector<std::complex<double>> const& directions() {
   return made;
 }
 
-ContourFigures measure(Circle const& filtered, double radius) {
+ContourFigures measure(FilteredCircle const& filtered, double radius) {
   auto const& [x, y] = filtered;
   ContourFigures figures;
   if (x == y) {
@@ -174,18 +161,18 @@ ContourFigures predict_circle(std::span<ChainAnswer const> answers, double veloc
 }
 
 double largest_circle_error(std::span<ChainAnswer const> answers, double velocity, double radius) {
-  std::vector<Circle> circles;
+  std::vector<FilteredCircle> circles;
   auto const x = component(answers[0], answers[0].delay, velocity, radius);
   for (auto const& other : answers.subspan(answers.size() == 1 ? 0 : 1)) {
     circles.push_back({.x = x, .y = component(other, answers[0].delay, velocity, radius)});
   }
-  std::sort(circles.begin(), circles.end(), [radius](Circle const& a, Circle const& b) {
-    return a.largest_distance(radius) > b.largest_distance(radius);
+  std::sort(circles.begin(), circles.end(), [radius](FilteredCircle const& a, FilteredCircle const& b) {
+    return largest_distance(a, radius) > largest_distance(b, radius);
   });
   double largest = 0;
   for (auto const& one : circles) {
     // No axis deviates by more than the path does.
-    if (one.largest_distance(radius) <= largest) break;
+    if (largest_distance(one, radius) <= largest) break;
     largest = std::max(largest, measure(one, radius).largest_axis_error());
   }
   return largest;

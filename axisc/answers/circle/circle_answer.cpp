@@ -75,7 +75,7 @@ Facts deviation_data(Deviations const& of) {
 Section prediction_data(CircleCase const& one) {
   auto filters = filters_table(one);
   auto causes = data_section("causes", {data("radius_um", one.predicted.radius_deviation()),
-                                        data("gain_difference", one.predicted.gain_u - one.predicted.gain_v),
+                                        data("gain_difference", one.predicted.gain_difference()),
                                         data("delay_difference_us", one.delay_difference_s() * ppm)});
   causes.blocks.emplace_back(std::move(filters));
   return {.key = "prediction",

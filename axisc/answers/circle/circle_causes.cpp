@@ -19,7 +19,8 @@ constexpr Sentence filters_shrink{
     "die Filter verkleinern den Radius um {size}, mit dem Quadrat des Vorschubs; das meiste davon {filter} "
     "von {axis}: Vorschub verringern oder diesen Filter in beiden Achsen kürzen"};
 constexpr Sentence radius_rest{
-    "the radius is off by {size}, of which the filters explain {filters}; the rest is of the drives: check "
+    "the radius is off by {size}, of which the filters explain {filters}; the rest comes from the drives: "
+    "check "
     "feedforward and Kv of both axes, and the measuring systems",
     "der Radius weicht um {size} ab, davon erklären die Filter {filters}; der Rest kommt von den Antrieben: "
     "Vorsteuerung und Kv beider Achsen und die Messsysteme prüfen"};
@@ -36,23 +37,24 @@ constexpr Sentence gain_recorded{
     "{axis} bewegt sich um {size} des Durchmessers weniger als die andere Achse: Skalierung und Steigung der "
     "Messsysteme und die Vorsteuerung prüfen"};
 constexpr Sentence filters_delay{
-    "{late} is {time} later than {early} (AX4011), which bends the circle by {size} at ±45°, turned with the "
+    "{late} arrives {time} later than {early} (AX4011), which bends the circle by {size} at ±45°, turned "
+    "with the "
     "direction: use the same filters in both axes, or a time delay (`filter_fir.type 4`) in {early}",
-    "{late} ist um {time} später als {early} (AX4011), das biegt den Kreis um {size} unter ±45°, mit der "
+    "{late} kommt {time} später an als {early} (AX4011), das biegt den Kreis um {size} unter ±45°, mit der "
     "Richtung gedreht: in beiden Achsen dieselben Filter verwenden oder eine Zeitverzögerung "
     "(`filter_fir.type 4`) in {early}"};
 constexpr Sentence delay_recorded{
-    "{late} is {time} later than {early}, which bends the circle by {size} at ±45°, turned with the "
+    "{late} arrives {time} later than {early}, which bends the circle by {size} at ±45°, turned with the "
     "direction; the lists explain {filters} of {axes}: what is left are Kv, feedforward and filters of the "
     "drives",
-    "{late} ist um {time} später als {early}, das biegt den Kreis um {size} unter ±45°, mit der Richtung "
+    "{late} kommt {time} später an als {early}, das biegt den Kreis um {size} unter ±45°, mit der Richtung "
     "gedreht; die Listen erklären {filters} von {axes}: Der Rest sind Kv, Vorsteuerung und Filter der "
     "Antriebe"};
 constexpr Sentence delay_after_filters{
-    "after the filters, {late} is {time} later than {early}, which bends the circle by {size} at ±45°, "
-    "turned "
-    "with the direction: check Kv, feedforward and filters of the drives",
-    "nach den Filtern ist {late} um {time} später als {early}, das biegt den Kreis um {size} unter ±45°, mit "
+    "after the filters, {late} arrives {time} later than {early}, which bends the circle by {size} at ±45°, "
+    "turned with the direction: check Kv, feedforward and filters of the drives",
+    "nach den Filtern kommt {late} {time} später an als {early}, das biegt den Kreis um {size} unter ±45°, "
+    "mit "
     "der Richtung gedreht: Kv, Vorsteuerung und Filter der Antriebe prüfen"};
 constexpr Sentence not_square{
     "the axes are not square by {angle} µm/m: align them, or compensate the cross talk",
@@ -115,7 +117,7 @@ std::vector<NamedValue> delayed(CircleCase const& one, double seconds, double si
 
 std::vector<CircleCause> predicted_causes(CircleCase const& one) {
   auto const& circle = one.predicted;
-  double const gain = circle.gain_u - circle.gain_v;
+  double const gain = circle.gain_difference();
   double const shrunk = circle.radius_deviation();
   double const bent = circle.radius * std::abs(std::sin(circle.phase));
   return {{says::radius, std::abs(shrunk),
@@ -126,18 +128,30 @@ std::vector<CircleCause> predicted_causes(CircleCase const& one) {
            Words(says::filters_delay, delayed(one, one.delay_difference_s(), bent))}};
 }
 
+/// What was found is what the lists have.
+bool filters_explain(double found, double filters) {
+  constexpr double rest = 0.2;
+  return std::abs(found - filters) < rest * std::abs(found);
+}
+
 Words radius_remedy(CircleCase const& one, double radius) {
   double const filters = one.predicted.radius_deviation();
   if (one.recorded->reference == CircleReference::filtered_setpoint) {
     return {says::radius_after_filters, {{"size", um(radius)}}};
   }
-  constexpr double explained = 0.2;
-  if (filters < 0 && std::abs(radius - filters) < explained * std::abs(radius)) {
-    return filters_radius(one, filters);
-  }
+  if (filters < 0 && filters_explain(radius, filters)) return filters_radius(one, filters);
   return {
       says::radius_rest,
       {{"size", rounded(radius, Unit::micrometre, 3)}, {"filters", rounded(filters, Unit::micrometre, 3)}}};
+}
+
+Words gain_remedy(CircleCase const& one, double gain) {
+  auto const& axis = one.axes.at(gain < 0 ? 0 : 1);
+  bool const is_before_filters = one.recorded->reference != CircleReference::filtered_setpoint;
+  if (is_before_filters && filters_explain(gain, one.predicted.gain_difference())) {
+    return {says::filters_gain, {{"axis", axis}}};
+  }
+  return {says::gain_recorded, {{"axis", axis}, {"size", um(2 * gain * one.recorded->radius)}}};
 }
 
 Words delay_remedy(CircleCase const& one, double seconds, double size) {
@@ -145,11 +159,8 @@ Words delay_remedy(CircleCase const& one, double seconds, double size) {
   if (one.recorded->reference == CircleReference::filtered_setpoint) {
     return {says::delay_after_filters, std::move(values)};
   }
-  constexpr double explained = 0.2;
   double const filters = one.delay_difference_s();
-  if (std::abs(seconds - filters) < explained * std::abs(seconds)) {
-    return {says::filters_delay, std::move(values)};
-  }
+  if (filters_explain(seconds, filters)) return {says::filters_delay, std::move(values)};
   values.push_back({"filters", rounded(filters * us, Unit::microsecond, 3)});
   values.push_back({"axes", one.axes[0] + " - " + one.axes[1]});
   return {says::delay_recorded, std::move(values)};
@@ -168,8 +179,7 @@ std::vector<CircleCause> recorded_causes(CircleCase const& one) {
   std::vector<CircleCause> causes{
       {says::radius, std::abs(found.radius), radius_remedy(one, found.radius)},
       {Words(says::gain, {{"u", one.axes[0]}, {"v", one.axes[1]}}), radius * std::abs(gain),
-       Words(says::gain_recorded,
-             {{"axis", one.axes.at(gain < 0 ? 0 : 1)}, {"size", um(2 * gain * radius)}})},
+       gain_remedy(one, gain)},
       {recorded.is_external ? says::squareness : says::cross_term, radius * std::abs(square),
        Words(recorded.is_external ? says::not_square : says::crossed, {{"angle", angle}})},
       {Words(says::delay, {{"u", one.axes[0]}, {"v", one.axes[1]}}), bent, delay_remedy(one, seconds, bent)}};

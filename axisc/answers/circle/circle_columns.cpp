@@ -3,7 +3,8 @@
 #include "axisc/answers/execution/recorded_scale.hpp"
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
-#include "diagnostics/ascii.hpp"
+#include "axisc/files/recorded_positions.hpp"
+#include "diagnostics/joined.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -48,16 +49,6 @@ std::optional<ChosenColumn> named(RecordingFile const& file, std::string const& 
   return std::nullopt;
 }
 
-/// "X setpoint".
-std::optional<ChosenColumn> called_setpoint(RecordingFile const& file, std::string const& axis) {
-  auto const& channels = file.recording.channels;
-  auto const found = std::find_if(channels.begin(), channels.end(), [&](recordings::Channel const& channel) {
-    return ascii::equal_ignoring_case(recordings::plain_name(channel.name), axis + " setpoint");
-  });
-  if (found == channels.end()) return std::nullopt;
-  return ChosenColumn{.channel = static_cast<std::size_t>(found - channels.begin()), .by = FoundBy::name};
-}
-
 std::optional<ChosenColumn> actual_column(CircleMachine const& machine, RecordingFile const& file,
                                           std::size_t axis, std::vector<AxisColumn> const& actuals) {
   auto const& name = machine.machine.axes[axis].name;
@@ -97,7 +88,7 @@ CircleColumns circle_columns(CircleMachine const& machine, Plane const& plane, R
     return true;
   };
   if (take([&](std::size_t i) { return named(file, name(i), setpoints); })) return found;
-  if (take([&](std::size_t i) { return called_setpoint(file, name(i)); })) return found;
+  if (take([&](std::size_t i) { return column_called(file, name(i) + " setpoint"); })) return found;
   for (auto const object :
        {Object::position_unfiltered, Object::position_filtered, Object::command_position}) {
     if (!take([&](std::size_t i) { return setpoint_column(machine, file, plane.at(i), object); })) continue;
@@ -108,18 +99,21 @@ CircleColumns circle_columns(CircleMachine const& machine, Plane const& plane, R
 }
 
 Plane recorded_plane(CircleMachine const& machine, RecordingFile const& file,
-                     std::vector<AxisColumn> const& actuals) {
-  std::vector<std::size_t> axes;
-  Wording names;
-  for (std::size_t i = 0; i < machine.machine.axes.size(); ++i) {
-    auto const& axis = machine.machine.axes[i];
-    if (axis.type != machine::AxisType::translatory || !actual_column(machine, file, i, actuals)) continue;
-    axes.push_back(i);
-    names += (axes.size() == 1 ? "" : ", ") + axis.name;
+                     std::vector<AxisColumn> const& actuals, std::vector<Plane> planes) {
+  std::erase_if(planes, [&](Plane const& plane) {
+    return std::any_of(plane.begin(), plane.end(),
+                       [&](std::size_t axis) { return !actual_column(machine, file, axis, actuals); });
+  });
+  if (planes.size() == 1) return planes.front();
+  std::vector<std::string> names;
+  for (auto const& plane : planes) {
+    for (auto const axis : plane) {
+      auto const& name = machine.machine.axes[axis].name;
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
   }
-  if (axes.size() == 2) return {axes[0], axes[1]};
-  if (axes.empty()) names = Wording("none", "keine");
-  throw refusal(says::no_plane, file, {{"axes", names}});
+  throw refusal(says::no_plane, file,
+                {{"axes", names.empty() ? Wording("none", "keine") : Wording(joined(names))}});
 }
 
 }  // namespace axisc

@@ -35,8 +35,8 @@ struct CircleColumns {
                                            std::vector<AxisColumn> const& setpoints,
                                            std::vector<AxisColumn> const& actuals);
 
-/// The linear axes with actual positions in the first file, if they are two. Failure otherwise.
+/// The only one of the planes of which the first file has actual positions. Failure otherwise.
 [[nodiscard]] Plane recorded_plane(CircleMachine const& machine, RecordingFile const& file,
-                                   std::vector<AxisColumn> const& actuals);
+                                   std::vector<AxisColumn> const& actuals, std::vector<Plane> planes);
 
 }  // namespace axisc

@@ -86,7 +86,7 @@ Table causes_table(CircleCase const& one) {
   using circle::Causes;
   add(says::radius, um(one.predicted.radius_deviation()),
       [](Causes const& found) { return um(found.radius); });
-  add(of_axes(says::gain, one), per_million(one.predicted.gain_u - one.predicted.gain_v),
+  add(of_axes(says::gain, one), per_million(one.predicted.gain_difference()),
       [&](Causes const& found) { return per_million(found.gain_difference); });
   add(of_axes(says::delay, one), time(one.delay_difference_s()),
       [&](Causes const& found) { return time(found.delay_difference / one.recorded->angular_speed); });

@@ -3,6 +3,7 @@
 #include "axisc/answers/circle/circle_answer.hpp"
 #include "axisc/answers/figures/polar_panel.hpp"
 #include "diagnostics/format_number.hpp"
+#include "presentation/pictures/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +132,7 @@ class CircularFigure {
     double const mean = (figures.radial_max + figures.radial_min) / 2;
     double const largest = largest_deviation(one, {});
     if (!test_.tolerance_um && !(largest > 0)) return;
-    double const step = test_.tolerance_um ? *test_.tolerance_um / 2 : round_below(largest * 0.9);
+    double const step = test_.tolerance_um ? *test_.tolerance_um / 2 : pictures::round_below(largest * 0.9);
     for (double const sign : {-1.0, 1.0}) {
       double const at = test_.tolerance_um ? mean + sign * step : sign * step;
       panel.add_ring(at, test_.tolerance_um ? say(says::tolerance) : std::string(),

@@ -21,6 +21,14 @@ constexpr Sentence needs_circle{"without a recording, a circle needs --feed and 
 constexpr Sentence needs_plane{
     "the machine has several pairs of linear axes; name the one of the circle with --plane",
     "die Maschine hat mehrere Paare von Linearachsen; das des Kreises mit --plane nennen"};
+constexpr Sentence one_feed{"a recording has one feed; give one with --feed, or none",
+                            "eine Aufzeichnung hat einen Vorschub; mit --feed einen angeben oder keinen"};
+constexpr Sentence of_recording{
+    "--external, --setpoint and --actual are about a recording; name one",
+    "--external, --setpoint und --actual betreffen eine Aufzeichnung; eine nennen"};
+constexpr Sentence of_scope{
+    "--setpoint and --actual name columns of a scope, and --external a measuring instrument's file",
+    "--setpoint und --actual nennen Spalten eines Scopes, --external die Datei eines Messgeräts"};
 constexpr Sentence not_recorded{
     "--{option} {given}: the recorded circle has {recorded} {unit}; leave the option out, or give that",
     "--{option} {given}: der aufgezeichnete Kreis hat {recorded} {unit}; die Option weglassen oder das "
@@ -80,12 +88,21 @@ std::vector<Plane> planes_of(CircleMachine const& machine, std::optional<std::st
   return planes;
 }
 
+double angular_speed(double feed, double radius_mm) {
+  return feed / seconds_per_minute / radius_mm;
+}
+
+/// Less than two NC cycles a turn.
+bool is_too_fast(CircleMachine const& machine, double feed, double radius_mm) {
+  return angular_speed(feed, radius_mm) * machine.machine.cycle_time.seconds() >= std::numbers::pi;
+}
+
 CircleCase predicted(CircleMachine const& machine, Plane const& plane, double feed, double radius_mm) {
   CircleCase one;
   one.feed_mm_per_min = feed;
   one.radius_mm = radius_mm;
-  double const omega = feed / seconds_per_minute / radius_mm;
-  if (omega * machine.machine.cycle_time.seconds() >= std::numbers::pi) {
+  double const omega = angular_speed(feed, radius_mm);
+  if (is_too_fast(machine, feed, radius_mm)) {
     throw Failure(
         {says::too_fast, {{"feed", format_rounded(feed, 6)}, {"radius", format_rounded(radius_mm, 6)}}});
   }
@@ -124,35 +141,49 @@ double settling_s(ImageFile const& image, Plane const& plane) {
   return static_cast<double>(cycles + taps) * image.contents.cycle_time.seconds();
 }
 
-void compare(std::string const& option, std::vector<double> const& given, double recorded,
-             std::string const& unit) {
-  if (given.empty()) return;
-  bool const is_known = std::any_of(given.begin(), given.end(), [&](double each) {
-    return std::abs(each - recorded) <= largest_difference * recorded;
-  });
-  if (is_known) return;
+void compare(std::string const& option, double given, double recorded, std::string const& unit) {
+  if (std::abs(given - recorded) <= largest_difference * recorded) return;
   throw Failure({says::not_recorded,
                  {{"option", option},
-                  {"given", format_rounded(given.front(), 6)},
+                  {"given", format_rounded(given, 6)},
                   {"recorded", format_rounded(recorded, 6)},
                   {"unit", unit}}});
+}
+
+/// Columns are named for the axes of a circle.
+void refuse_foreign_axes(CircleMachine const& machine, std::vector<Plane> const& planes,
+                         RecordedCircleQuestion const& wanted) {
+  std::vector<std::string> axes;
+  for (auto const& plane : planes) {
+    for (auto const axis : plane) {
+      auto const& name = machine.machine.axes[axis].name;
+      if (std::find(axes.begin(), axes.end(), name) == axes.end()) axes.push_back(name);
+    }
+  }
+  for (auto const* const named : {&wanted.setpoints, &wanted.actuals}) {
+    for (auto const& each : *named) {
+      if (std::find(axes.begin(), axes.end(), each.axis) == axes.end()) throw unknown_axis(each.axis, axes);
+    }
+  }
 }
 
 CircleCase recorded(CircleMachine const& machine, ImageFile const& image, CircleQuestion const& question) {
   std::vector<RecordingFile> files;
   for (auto const& path : question.recordings) files.push_back(open_recording(path));
+  if (question.feeds.size() > 1) throw Failure({says::one_feed});
   auto wanted = question.recorded;
   wanted.radius_mm = question.radius_mm;
   if (!question.feeds.empty()) wanted.feed = question.feeds.front();
   auto const planes = planes_of(machine, question.plane);
   if (planes.size() > 1 && wanted.is_external) throw Failure({says::needs_plane});
+  refuse_foreign_axes(machine, planes, wanted);
   auto const plane =
-      planes.size() == 1 ? planes.front() : recorded_plane(machine, files.front(), wanted.actuals);
+      planes.size() == 1 ? planes.front() : recorded_plane(machine, files.front(), wanted.actuals, planes);
   auto found = recorded_circle(machine, plane, files, wanted, settling_s(image, plane));
   double const radius_mm = found.radius / um_per_mm;
   double const feed = found.feed_mm_per_min();
-  if (question.radius_mm) compare("radius", {*question.radius_mm}, radius_mm, "mm");
-  compare("feed", question.feeds, feed, "mm/min");
+  if (question.radius_mm) compare("radius", *question.radius_mm, radius_mm, "mm");
+  if (wanted.feed) compare("feed", *wanted.feed, feed, "mm/min");
   auto one = predicted(machine, plane, feed, radius_mm);
   one.recorded = std::move(found);
   return one;
@@ -185,6 +216,7 @@ Overrides with_unlike_delays(Overrides overrides) {
 
 CircularTest channel_circles(CircleMachine const& machine, std::size_t group, double feed, double radius_mm) {
   CircularTest test{.cycle_time = machine.machine.cycle_time, .cases = {}, .tolerance_um = {}, .files = {}};
+  if (is_too_fast(machine, feed, radius_mm)) return test;
   for (auto const& plane : planes_in(machine.machine, group)) {
     test.cases.push_back(predicted(machine, plane, feed, radius_mm));
   }
@@ -194,6 +226,10 @@ CircularTest channel_circles(CircleMachine const& machine, std::size_t group, do
 std::optional<CircularTest> circular_test(Workspace& workspace, CircleQuestion const& question,
                                           ErrorSink const& errors) {
   bool const is_recorded = !question.recordings.empty();
+  auto const& recorded_as = question.recorded;
+  bool const names_columns = !recorded_as.setpoints.empty() || !recorded_as.actuals.empty();
+  if (!is_recorded && (recorded_as.is_external || names_columns)) throw Failure({says::of_recording});
+  if (recorded_as.is_external && names_columns) throw Failure({says::of_scope});
   if (!is_recorded && (question.feeds.empty() || !question.radius_mm)) throw Failure({says::needs_circle});
   auto checked = checked_machine(workspace, question.machine, errors);
   if (!checked) return std::nullopt;

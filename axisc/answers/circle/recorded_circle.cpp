@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -51,6 +50,19 @@ constexpr Sentence other_centre{
     "circles in one place",
     "{file}: Die Kreise der beiden Richtungen liegen {distance} mm auseinander; auch Sollwerte aufzeichnen "
     "oder beide Kreise an einem Ort"};
+constexpr Sentence other_radius_given{
+    "{file}: a circle of {found} mm was recorded, which is not the {given} mm of --radius; check the radius "
+    "and "
+    "the columns",
+    "{file}: aufgezeichnet ist ein Kreis von {found} mm, nicht von {given} mm wie --radius; den Radius und "
+    "die "
+    "Spalten prüfen"};
+constexpr Sentence only_one_has_setpoints{
+    "{file}: one recording has setpoints, the other has none; record both alike",
+    "{file}: Eine Aufzeichnung hat Sollwerte, die andere keine; beide gleich aufzeichnen"};
+constexpr Sentence less_than_turn_external{
+    "{file}: {degrees}° in one direction; it takes 360°: record whole turns",
+    "{file}: {degrees}° in einer Richtung; nötig sind 360°: ganze Umdrehungen aufzeichnen"};
 constexpr Sentence needs_radius{
     "{file} has no setpoints, so the radius is not known; give it with --radius",
     "{file} hat keine Sollwerte, der Radius ist daher nicht bekannt; ihn mit --radius angeben"};
@@ -74,6 +86,8 @@ using circle::Turn;
 constexpr double um_per_mm = 1000;
 /// Of radius and speed, by which the directions may differ.
 constexpr double largest_difference = 0.01;
+/// Of a radius that only --radius tells: drives and filters never take more.
+constexpr double largest_shrink = 0.1;
 /// Of the radius: the centres of both directions, where no setpoint tells them.
 constexpr double centre_difference = 0.002;
 
@@ -86,7 +100,7 @@ Failure refusal(SentenceRef sentence, std::string const& file, std::vector<Argum
   return Failure({sentence, std::move(arguments)}, csv_malformed);
 }
 
-Failure refusal(std::string const& file, circle::BadTurn const& bad) {
+Failure refusal(std::string const& file, circle::BadTurn const& bad, bool is_external) {
   using circle::TurnProblem;
   switch (bad.problem) {
     case TurnProblem::no_motion: return refusal(says::no_motion, file);
@@ -97,7 +111,8 @@ Failure refusal(std::string const& file, circle::BadTurn const& bad) {
           {{"points", std::to_string(bad.points)}, {"fewest", std::to_string(circle::fewest_points)}});
     case TurnProblem::less_than_turn: break;
   }
-  return refusal(says::less_than_turn, file, {{"degrees", number(std::floor(bad.degrees))}});
+  return refusal(is_external ? says::less_than_turn_external : says::less_than_turn, file,
+                 {{"degrees", number(std::floor(bad.degrees))}});
 }
 
 /// The time between samples that all columns have, ms: whole NC cycles.
@@ -131,7 +146,8 @@ class CircleReader {
   RecordedCircle read(std::vector<RecordingFile> const& files) {
     for (auto const& file : files) {
       auto turns = question_.is_external ? external(file) : positions_of(file);
-      if (auto const* const bad = std::get_if<circle::BadTurn>(&turns)) throw refusal(file.name, *bad);
+      if (auto const* const bad = std::get_if<circle::BadTurn>(&turns))
+        throw refusal(file.name, *bad, question_.is_external);
       for (auto& turn : std::get<std::vector<Turn>>(turns)) add(file.name, std::move(turn));
     }
     auto const& last = files.back().name;
@@ -173,6 +189,10 @@ class CircleReader {
     auto const reference = chosen.setpoints.empty() ? CircleReference::least_squares
                            : chosen.is_filtered     ? CircleReference::filtered_setpoint
                                                     : CircleReference::setpoint;
+    bool const has_none = reference == CircleReference::least_squares;
+    if (!is_first && has_none != (found_.reference == CircleReference::least_squares)) {
+      throw refusal(says::only_one_has_setpoints, file.name);
+    }
     found_.reference = is_first ? reference : std::max(found_.reference, reference);
     return circle::recorded_turns(path);
   }
@@ -238,6 +258,11 @@ class CircleReader {
     std::vector<circle::Sample> all;
     for (auto& turn : found_.turns) all.insert(all.end(), turn.samples.begin(), turn.samples.end());
     auto const common = circle::fit_circle(all);
+    double const given = *question_.radius_mm * um_per_mm;
+    if (!(std::abs(common.radius - given) <= largest_shrink * given)) {
+      throw refusal(says::other_radius_given, file,
+                    {{"given", number(*question_.radius_mm)}, {"found", number(common.radius / um_per_mm)}});
+    }
     for (auto& turn : found_.turns) {
       auto const own = circle::fit_circle(turn.samples);
       double const distance = std::hypot(own.u - common.u, own.v - common.v);

@@ -2,6 +2,7 @@
 #include "axisc/answers/figures/contour_cases.hpp"
 #include "axisc/answers/figures/polar_panel.hpp"
 #include "diagnostics/format_number.hpp"
+#include "presentation/pictures/ticks.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -61,7 +62,7 @@ pictures::Figure circle_figure(ContourSubject const& subject, ContourRequest con
     return figure;
   }
   panel.add_ring(0, subject.say(says::circle_programmed));
-  double const step = round_below(largest * 0.9 / motion::units_per_um) * motion::units_per_um;
+  double const step = pictures::round_below(largest * 0.9 / motion::units_per_um) * motion::units_per_um;
   for (double const sign : {-1.0, 1.0}) {
     panel.add_ring(
         sign * step, {},

@@ -11,7 +11,7 @@ namespace axisc::says {
 constexpr Sentence filter_and_next{"{first}, {next}", "{first}, {next}"};
 constexpr Sentence filter_with{"{filter} {value}", "{filter} {value}"};
 constexpr Sentence filter_share{"{filter} at {share}", "{filter} zu {share}"};
-constexpr Sentence kernel_order{"{filter}, order {order}", "{filter}, Ordnung {order}"};
+constexpr Sentence kernel_order{"{filter} of order {order}", "{filter} der Ordnung {order}"};
 constexpr Sentence filter_starts_off{"{filter} (once switched on)", "{filter} (sobald eingeschaltet)"};
 
 }  // namespace axisc::says
@@ -57,24 +57,14 @@ Words words_of(design::FilterSpecification const& filter) {
   return with_share(std::move(words), filter.share_percent);
 }
 
-Wording name_of(image::ImageSlot const& slot, design::KernelType type) {
-  if (slot.family == machine::KernelFamily::guard) return "Vibration Guard";
-  if (slot.family == machine::KernelFamily::hsc) {
-    return meaning_of("filter[0].type", type == design::KernelType::novib ? "HSC_SHAPER" : "HSC_MEAN");
-  }
-  switch (type) {
-    case design::KernelType::gaussian: return meaning_of("filter_fir.type", "2");
-    case design::KernelType::windowed_sinc: return meaning_of("filter_fir.type", "3");
-    case design::KernelType::time_delay: return meaning_of("filter_fir.type", "4");
-    case design::KernelType::moving_average:
-    case design::KernelType::novib:
-    case design::KernelType::vibration_guard: break;
-  }
-  return meaning_of("filter_fir.type", "1");
+Words name_of(image::ImageSlot const& slot, design::KernelType type) {
+  if (slot.family != machine::KernelFamily::hsc) return kernel_symbol(type).words;
+  return as_given(
+      meaning_of("filter[0].type", type == design::KernelType::novib ? "HSC_SHAPER" : "HSC_MEAN"));
 }
 
 Words words_of(image::ImageSlot const& slot, design::KernelSpecification const& kernel) {
-  Wording const name = name_of(slot, kernel.type);
+  auto const name = name_of(slot, kernel.type);
   switch (kernel.type) {
     case design::KernelType::vibration_guard:
     case design::KernelType::novib: return with(name, exact(kernel.frequency.value, Unit::hertz));

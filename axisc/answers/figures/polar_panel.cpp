@@ -1,6 +1,7 @@
 #include "axisc/answers/figures/polar_panel.hpp"
 
 #include "presentation/pictures/projection.hpp"
+#include "presentation/pictures/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,17 +22,9 @@ constexpr std::size_t directions = 720;
 
 }  // namespace
 
-double round_below(double value) {
-  double const power = std::pow(10.0, std::floor(std::log10(value)));
-  for (double const step : {5.0, 2.0}) {
-    if (value >= step * power) return step * power;
-  }
-  return power;
-}
-
 PolarPanel::PolarPanel(double radius, double largest)
     : radius_(radius),
-      factor_(largest > 0 ? std::max(1.0, round_below(drawn_deviation * radius / largest)) : 1) {
+      factor_(largest > 0 ? std::max(1.0, pictures::round_below(drawn_deviation * radius / largest)) : 1) {
   panel_.height = panel_height;
   panel_.is_bare = true;
 }

@@ -9,9 +9,6 @@
 
 namespace axisc {
 
-/// 1, 2 or 5 times a power of ten, not above `value`.
-[[nodiscard]] double round_below(double value);
-
 /// Radius 1 of the picture is the programmed one.
 class PolarPanel {
  public:

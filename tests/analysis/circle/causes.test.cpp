@@ -91,6 +91,8 @@ TEST_CASE("an external instrument sees squareness, in turns that begin and end a
   };
   for (double angle = -90; angle <= 330; angle += 0.5) add(angle);
   for (double angle = 330; angle >= -40; angle -= 0.5) add(angle);
+  // The instrument rests at the end.
+  for (int i = 0; i < 20; ++i) add(-40);
   auto const found = external_turns(angles, deviations, radius);
   REQUIRE(std::holds_alternative<std::vector<Turn>>(found));
   auto const& turns = std::get<std::vector<Turn>>(found);

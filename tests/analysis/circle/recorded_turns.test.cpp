@@ -155,7 +155,7 @@ TEST_CASE("without setpoints the actual positions tell the turn") {
   path.setpoint_v.clear();
   auto const turns = turns_of(path);
   REQUIRE(turns.size() == 1);
-  CHECK_FALSE(turns.front().has_setpoint);
+  CHECK(turns.front().radius == 0);
 }
 
 TEST_CASE("lost samples do not count") {

@@ -228,6 +228,11 @@ TEST_CASE("circle: recordings that are no test are refused") {
                        "--plane needs two of the axes X, Y");
   sample.check_refused({"ccw.csv", "--actual", "X"}, "--actual X=COLUMN");
   sample.check_refused({"missing.csv"}, "missing.csv");
+  sample.check_refused({"ccw.csv", "--setpoint", "Q=2"}, "there is no axis \"Q\"; the axes are X, Y");
+  sample.check_refused({"ccw.csv", "--feed", "3000,77"}, "a recording has one feed");
+  sample.check_refused({"--feed", "3000", "--radius", "10", "--external"}, "are about a recording; name one");
+  sample.check_refused({"ccw.csv", "--external", "--actual", "X=2"},
+                       "--external a measuring instrument's file");
 }
 
 TEST_CASE("circle: a modulo axis cannot be measured") {
@@ -261,6 +266,9 @@ TEST_CASE("circle: one direction, no setpoint, fewer points") {
     sample.folder.write(names.back(), text);
   }
   sample.check_refused(names, "the radius is not known; give it with --radius");
+  sample.check_refused({names[0], names[1], "--radius", "20"}, "a circle of 9.98");
+  sample.check_refused({"ccw.csv", names[1], "--radius", "10"},
+                       "one recording has setpoints, the other has none");
   names.insert(names.end(), {"--radius", "10"});
   auto const actual = sample.circle(names);
   CHECK(actual["recording"]["reference"] == "least-squares");
