@@ -4,7 +4,6 @@
 #include "configuration/json_check.hpp"
 #include "configuration/located_json.hpp"
 #include "configuration/machine/drive_type.hpp"
-#include "configuration/machine_file_report.hpp"
 #include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/joined.hpp"
@@ -149,7 +148,8 @@ constexpr std::array machine_keys = {
             into<&MachineFile::filter_sets>},
     JsonKey{"inch", &json_flag, optional, "Lengths in programs are inches.", into<&MachineFile::inch>},
     JsonKey{"report", &machine_file_report_shape, optional,
-            "What the cover of `axisc report` says; its options win."}};
+            "What the cover of `axisc report` says; its options take precedence.",
+            into<&MachineFile::report>}};
 }  // namespace
 
 constexpr JsonShape machine_file_shape{

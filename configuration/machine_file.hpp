@@ -3,6 +3,7 @@
 
 #include "configuration/json_reading.hpp"
 #include "configuration/machine/machine.hpp"
+#include "configuration/machine_file_report.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 
@@ -47,6 +48,7 @@ struct MachineFile {
   std::vector<LocatedText> programs;     ///< checked against every group
   std::vector<LocatedText> filter_sets;  ///< commands that programs may use besides those in `programs`
   bool inch = false;                     ///< lengths in programs are inches
+  MachineFileReport report;
 };
 
 /// The code of every mistake in a machine file.

@@ -1,12 +1,10 @@
 #include "configuration/machine_file_report.hpp"
 
-#include "configuration/json_check.hpp"
 #include "configuration/json_reading.hpp"
 #include "configuration/sentences.hpp"
 #include "diagnostics/terminal.hpp"
 
 #include <array>
-#include <variant>
 
 namespace axisc::configuration::says {
 
@@ -26,10 +24,6 @@ namespace {
 
 using enum JsonPresence;
 
-struct FileWithReport {
-  MachineFileReport report;
-};
-
 constexpr JsonShape tolerance_shape{.kind = JsonShapeKind::number, .lowest = 0, .above_lowest = true};
 
 void store_tolerance(JsonDocument const& /*document*/, JsonValue const& value, MachineFileReport& report) {
@@ -39,9 +33,9 @@ void store_tolerance(JsonDocument const& /*document*/, JsonValue const& value, M
 constexpr std::array report_keys = {
     JsonKey{"title", &visible_name_shape, optional, "Title instead of the machine's name.",
             into<&MachineFileReport::title>},
-    JsonKey{"customer", &visible_name_shape, optional, "For whom the machine is.",
-            into<&MachineFileReport::customer>},
-    JsonKey{"author", &visible_name_shape, optional, "Who commissions it.", into<&MachineFileReport::author>},
+    JsonKey{"customer", &visible_name_shape, optional, "The customer.", into<&MachineFileReport::customer>},
+    JsonKey{"author", &visible_name_shape, optional, "Who prepared the report.",
+            into<&MachineFileReport::author>},
     JsonKey{"date", &visible_name_shape, optional, "Date as the cover shows it.",
             into<&MachineFileReport::date>},
     JsonKey{"tolerance_mm", &tolerance_shape, optional,
@@ -51,21 +45,5 @@ constexpr std::array report_keys = {
 
 constexpr JsonShape machine_file_report_shape{
     .kind = JsonShapeKind::object, .title = "Cover of a report", .keys = report_keys};
-
-MachineFileReport read_report(SourceSet const& sources, SourceId source) {
-  static constexpr std::array keys = {
-      JsonKey{"report", &machine_file_report_shape, optional, "", into<&FileWithReport::report>}};
-  static constexpr JsonShape shape{.kind = JsonShapeKind::object, .keys = keys};
-  FileWithReport file;
-  SourceText const& text = sources[source];
-  auto const parsed = parse_json(text.bytes(), text.text_begin());
-  if (auto const* const document = std::get_if<JsonDocument>(&parsed)) {
-    auto const check = check_json(*document, shape);
-    if (check.readable.front()) {
-      JsonReading(*document, check.readable, source).fill(shape, document->root(), &file);
-    }
-  }
-  return file.report;
-}
 
 }  // namespace axisc::configuration

@@ -51,6 +51,12 @@ Section part(Words title, std::vector<Block> blocks, Audience audience) {
   return {.key = {}, .title = std::move(title), .blocks = std::move(blocks), .audience = audience};
 }
 
+Section folded(Words title, std::vector<Block> blocks) {
+  auto section = part(std::move(title), std::move(blocks));
+  section.is_folded = true;
+  return section;
+}
+
 void add_row(Table& table, std::vector<Field> fields) {
   if (table.rows.empty()) {
     bool has_head = false;

@@ -99,6 +99,9 @@ struct Section {
 /// Blocks under a title.
 [[nodiscard]] Section part(Words title, std::vector<Block> blocks, Audience audience = Audience::all);
 
+/// Folded away until it is asked for, where the format can.
+[[nodiscard]] Section folded(Words title, std::vector<Block> blocks);
+
 /// Sections of one kind; in JSON an array.
 struct Sections {
   std::string key;

@@ -2,6 +2,17 @@
 
 #include "schema/catalogue.hpp"
 
+namespace axisc::says {
+
+constexpr Sentence moving_average{"moving average", "gleitender Mittelwert"};
+constexpr Sentence gaussian{"Gaussian", "Gauß"};
+constexpr Sentence windowed_sinc{"windowed sinc", "gefensterter Sinc"};
+constexpr Sentence time_delay{"time delay", "Totzeit"};
+constexpr Sentence novib{"NoVib", "NoVib"};
+constexpr Sentence guard{"Vibration Guard", "Vibration Guard"};
+
+}  // namespace axisc::says
+
 namespace axisc {
 
 namespace {
@@ -22,6 +33,18 @@ std::string_view type_word(design::FilterType type) {
 
 std::string_view prototype_word(design::Prototype prototype) {
   return word_of("filter[0].prototype", static_cast<int>(prototype));
+}
+
+presentation::Symbol kernel_symbol(design::KernelType type) {
+  switch (type) {
+    case design::KernelType::moving_average: return {"moving average", says::moving_average};
+    case design::KernelType::gaussian: return {"Gaussian", says::gaussian};
+    case design::KernelType::windowed_sinc: return {"windowed sinc", says::windowed_sinc};
+    case design::KernelType::time_delay: return {"time delay", says::time_delay};
+    case design::KernelType::vibration_guard: return {"Vibration Guard", says::guard};
+    case design::KernelType::novib: break;
+  }
+  return {"NoVib", says::novib};
 }
 
 std::string_view mode_word(machine::StageMode mode) {

@@ -3,6 +3,7 @@
 
 #include "design/filter_kinds.hpp"
 #include "image/image_contents.hpp"
+#include "presentation/value.hpp"
 
 #include <span>
 #include <string>
@@ -15,6 +16,9 @@ namespace axisc {
 [[nodiscard]] std::string_view type_word(design::FilterType type);
 /// "CRIT_DAMPING".
 [[nodiscard]] std::string_view prototype_word(design::Prototype prototype);
+
+/// The kernel's English words for programs, and those for people.
+[[nodiscard]] presentation::Symbol kernel_symbol(design::KernelType type);
 
 /// "DIRECT".
 [[nodiscard]] std::string_view mode_word(machine::StageMode mode);

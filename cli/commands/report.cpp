@@ -10,6 +10,7 @@
 #include "cli/options/named_files.hpp"
 #include "cli/options/sentences.hpp"
 #include "cli/output/printed_errors.hpp"
+#include "diagnostics/ascii.hpp"
 #include "diagnostics/terminal.hpp"
 
 namespace axisc::cli::says {
@@ -20,10 +21,10 @@ constexpr Sentence argument_reported{
 constexpr Sentence option_page{"where the page goes, - for standard output",
                                "wohin die Seite geht, - für die Standardausgabe"};
 constexpr Sentence option_title{"title instead of the machine's name", "Titel statt des Namens der Maschine"};
-constexpr Sentence option_customer{"for whom the machine is", "für wen die Maschine ist"};
-constexpr Sentence option_author{"who commissions it", "wer sie in Betrieb nimmt"};
-constexpr Sentence option_date{"as the cover shows it (no clock is asked)",
-                               "wie das Deckblatt es zeigt (keine Uhr wird gefragt)"};
+constexpr Sentence option_customer{"customer", "Kunde"};
+constexpr Sentence option_author{"who prepared the report", "wer den Bericht erstellt hat"};
+constexpr Sentence option_date{"date on the cover; today's date is never filled in",
+                               "Datum auf dem Deckblatt; das heutige wird nie eingesetzt"};
 constexpr Sentence bad_cover{"{option} needs one line of visible text",
                              "{option} braucht eine Zeile sichtbaren Text"};
 constexpr Sentence option_earlier{
@@ -59,7 +60,8 @@ void declare(CommandLine& command_line, ReportOptions& options) {
 }
 
 std::string cover_text(std::string_view option, std::optional<std::string> const& text) {
-  if (text && !is_visible(*text)) throw Failure({says::bad_cover, {{"option", option}}});
+  if (text && (ascii::trimmed(*text).empty() || !is_visible(*text)))
+    throw Failure({says::bad_cover, {{"option", option}}});
   return text.value_or("");
 }
 

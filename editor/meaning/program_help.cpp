@@ -1,5 +1,6 @@
 #include "editor/meaning/program_help.hpp"
 
+#include "axisc/asked/filter_symbols.hpp"
 #include "design/kernels/kernel_design.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
@@ -21,12 +22,6 @@ constexpr Sentence in_force{"In force from here: {parameters}.", "Ab hier gilt: 
 constexpr Sentence switched_off{"FIR and HSC filters are off from here.",
                                 "Ab hier sind FIR- und HSC-Filter aus."};
 constexpr Sentence hsc{"Acts on the HSC filters alone.", "Wirkt nur auf die HSC-Filter."};
-constexpr Sentence kernel_moving_average{"moving average", "gleitender Mittelwert"};
-constexpr Sentence kernel_gaussian{"Gaussian", "Gauß"};
-constexpr Sentence kernel_sinc{"windowed sinc", "gefensterter Sinc"};
-constexpr Sentence kernel_delay{"time delay", "Totzeit"};
-constexpr Sentence kernel_novib{"NoVib", "NoVib"};
-constexpr Sentence kernel_guard{"Vibration Guard", "Vibration Guard"};
 constexpr Sentence guards_off{"Vibration Guards are off from here.",
                               "Ab hier sind die Vibration Guards aus."};
 constexpr Sentence axis_guard{"- {axis}: Vibration Guard, {figures}", "- {axis}: Vibration Guard, {figures}"};
@@ -42,18 +37,6 @@ namespace axisc::editor {
 namespace {
 
 constexpr int shown_digits = 3;
-
-SentenceRef name_of(design::KernelType type) {
-  switch (type) {
-    case design::KernelType::moving_average: return says::kernel_moving_average;
-    case design::KernelType::gaussian: return says::kernel_gaussian;
-    case design::KernelType::windowed_sinc: return says::kernel_sinc;
-    case design::KernelType::time_delay: return says::kernel_delay;
-    case design::KernelType::vibration_guard: return says::kernel_guard;
-    case design::KernelType::novib: break;
-  }
-  return says::kernel_novib;
-}
 
 std::string guard_of_axis(validator::LoadedAxis const& axis, design::CycleTime cycle_time,
                           machine::FilterParameters const& given, Language language) {
@@ -79,7 +62,7 @@ std::string line_of_axis(validator::LoadedAxis const& axis, design::CycleTime cy
   auto const design = design::design_kernel(specification, cycle_time);
   return say(says::axis_kernel, language,
              {{"axis", axis.name},
-              {"kernel", say(name_of(specification.type), language)},
+              {"kernel", text_of(kernel_symbol(specification.type).words, language)},
               {"order", std::to_string(specification.order)},
               {"delay",
                format_rounded(design.group_delay_cycles * cycle_time.microseconds() / 1000, shown_digits)}});

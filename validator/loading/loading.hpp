@@ -93,10 +93,11 @@ struct LoadedMachine {
   std::optional<SourceId> machine_file;    ///< none for a single list
   std::optional<StartUp> start_up;         ///< the machine is that of a start-up list or of a project
   bool inch = false;                       ///< lengths in programs are inches
-  design::Readings readings;               ///< how the control computes its filters
-  machine::MotionReadings motion;          ///< how it plans a path
-  std::optional<BuildVersion> build;       ///< of the control, where the options name it
-  std::deque<Finding> findings;            ///< AX4020: code, place and sentences; the engine adds the rest
+  configuration::MachineFileReport report;
+  design::Readings readings;          ///< how the control computes its filters
+  machine::MotionReadings motion;     ///< how it plans a path
+  std::optional<BuildVersion> build;  ///< of the control, where the options name it
+  std::deque<Finding> findings;       ///< AX4020: code, place and sentences; the engine adds the rest
   std::vector<std::string> files;
 
   [[nodiscard]] LoadedList const* list_of_defaults() const {

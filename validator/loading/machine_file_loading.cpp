@@ -24,6 +24,7 @@ void Loader::load_machine_file(SourceId source) {
       configuration::read_machine_file(sources_, source, machine_.findings);
   machine_.machine_file = source;
   machine_.inch = file.inch;
+  machine_.report = file.report;
   if (file.machine) machine_.name = file.machine->text;
   machine_.cycle_time = file.cycle_time;
   if (file.default_list) {

@@ -1,5 +1,6 @@
 #include "axisc/answers/inspect/inspect_parts.hpp"
 #include "axisc/answers/labels.hpp"
+#include "axisc/asked/filter_symbols.hpp"
 #include "design/kernels/kernel_analysis.hpp"
 #include "design/kernels/kernel_kinds.hpp"
 
@@ -11,12 +12,6 @@ namespace axisc::says {
 constexpr Sentence number{"kernel {number}", "Kern {number}"};
 constexpr Sentence passes{"passes unchanged", "unverändert"};
 constexpr Sentence kernel{"kernel", "Kern"};
-constexpr Sentence moving_average{"moving average", "gleitender Mittelwert"};
-constexpr Sentence gaussian{"Gaussian", "Gauß"};
-constexpr Sentence windowed_sinc{"windowed sinc", "gefensterter Sinc"};
-constexpr Sentence time_delay{"time delay", "Totzeit"};
-constexpr Sentence novib{"NoVib", "NoVib"};
-constexpr Sentence guard{"Vibration Guard", "Vibration Guard"};
 constexpr Sentence taps{"taps", "Koeffizienten"};
 constexpr Sentence sum{"sum of the taps", "Summe der Koeffizienten"};
 constexpr Sentence zeros{"no gain at", "keine Verstärkung bei"};
@@ -32,18 +27,6 @@ namespace axisc {
 using namespace presentation;
 
 namespace {
-
-Symbol type_symbol(design::KernelType type) {
-  switch (type) {
-    case design::KernelType::moving_average: return {"moving average", says::moving_average};
-    case design::KernelType::gaussian: return {"Gaussian", says::gaussian};
-    case design::KernelType::windowed_sinc: return {"windowed sinc", says::windowed_sinc};
-    case design::KernelType::time_delay: return {"time delay", says::time_delay};
-    case design::KernelType::vibration_guard: return {"Vibration Guard", says::guard};
-    case design::KernelType::novib: break;
-  }
-  return {"NoVib", says::novib};
-}
 
 bool concerns(image::ImageGroup const& group, std::span<std::size_t const> axes) {
   return std::any_of(group.members.begin(), group.members.end(), [&](std::size_t member) {
@@ -118,7 +101,7 @@ Table kernels_table(image::ImageContents const& image, std::span<std::size_t con
     for (auto const zero : design::zero_frequencies(made, image.cycle_time)) zeros.push_back(zero.value);
     add_row(table,
             {shown(says::kernel, index),
-             {"type", labels::type, type_symbol(wanted.type)},
+             {"type", labels::type, kernel_symbol(wanted.type)},
              {"order", labels::order, wanted.order},
              shown(says::taps, made.taps.size()),
              {"frequency_hz", labels::frequency,

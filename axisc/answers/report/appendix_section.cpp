@@ -25,12 +25,6 @@ using namespace presentation;
 
 namespace {
 
-Section folded(Words title, ReportBlocks blocks) {
-  auto section = part(std::move(title), std::move(blocks));
-  section.is_folded = true;
-  return section;
-}
-
 Section sources(image::ImageContents const& contents) {
   Table lists{.key = {}};
   for (auto const& [name, sha256] : contents.lists) {

@@ -32,12 +32,6 @@ using namespace presentation;
 
 namespace {
 
-Section folded(Words title, std::vector<Block> blocks) {
-  auto section = part(std::move(title), std::move(blocks));
-  section.is_folded = true;
-  return section;
-}
-
 /// The first of some equal axes, compiled and executed alone: otherwise each would cost as much as the
 /// machine.
 class AxisAlone {

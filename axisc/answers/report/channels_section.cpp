@@ -36,12 +36,10 @@ void add_circles(ReportBlocks& blocks, ReportSubject const& subject, std::size_t
   test.cases.resize(std::min(test.cases.size(), most_planes));
   for (auto const& one : test.cases) {
     CircularTest const alone{.cycle_time = test.cycle_time, .cases = {one}, .tolerance_um = {}, .files = {}};
-    Section section{.key = {},
-                    .title = Words(says::circular_test, {{"circle", circle_title(one)}}),
-                    .blocks = circle_blocks(alone, one)};
-    section.blocks.emplace_back(Picture{circular_figure(alone, subject.language)});
-    section.is_folded = true;
-    blocks.emplace_back(std::move(section));
+    auto shown = circle_blocks(alone, one);
+    shown.emplace_back(Picture{circular_figure(alone, subject.language)});
+    blocks.emplace_back(
+        folded(Words(says::circular_test, {{"circle", circle_title(one)}}), std::move(shown)));
   }
 }
 

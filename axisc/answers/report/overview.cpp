@@ -27,12 +27,14 @@ constexpr Sentence same_delay{"With all filters on, every setpoint arrives {dela
 constexpr Sentence delays_between{
     "With all filters on, setpoints arrive late: by {low} ({fast}) to {high} ({slow}).",
     "Mit allen Filtern kommen Sollwerte später an: um {low} ({fast}) bis {high} ({slow})."};
+constexpr Sentence blocks_position{
+    "{axes}: a filter does not let a constant position pass, so that no delay can be given.",
+    "{axes}: ein Filter lässt eine konstante Position nicht durch, daher gibt es keine Verzögerung."};
 constexpr Sentence contour_costs{
     "{channel}: at {feed} the contour is off by {corner} at a corner of {angle}, by {passed} as the control "
     "passes it (a reading), and by {circle} on a circle of radius {radius}.",
     "{channel}: bei {feed} weicht die Bahn an einer Ecke von {angle} um {corner} ab, so wie die Steuerung "
-    "sie "
-    "fährt (eine Lesart) um {passed}, und auf einem Kreis mit Radius {radius} um {circle}."};
+    "sie fährt (eine Lesart) um {passed}, und auf einem Kreis mit Radius {radius} um {circle}."};
 constexpr Sentence contour_costs_alone{
     "{channel}: at {feed} the contour is off by {corner} at a corner of {angle} and by {circle} on a circle "
     "of radius {radius}.",
@@ -59,12 +61,19 @@ std::vector<AxisDelay> position_delays(PlotSubject const& subject) {
   return delays;
 }
 
+/// That of a filter without a constant part is not a number.
+bool is_same(double one, double other) {
+  return one == other || (std::isnan(one) && std::isnan(other));
+}
+
 bool delay_alike(AxisDelay const& one, AxisDelay const& other) {
-  return one.at_start == other.at_start &&
-         std::equal(one.shares.begin(), one.shares.end(), other.shares.begin(), other.shares.end(),
-                    [](DelayShare const& left, DelayShare const& right) {
-                      return left.name == right.name && left.milliseconds == right.milliseconds;
-                    });
+  bool const starts_alike = one.at_start.has_value() == other.at_start.has_value() &&
+                            is_same(one.at_start.value_or(0), other.at_start.value_or(0));
+  return starts_alike && std::equal(one.shares.begin(), one.shares.end(), other.shares.begin(),
+                                    other.shares.end(), [](DelayShare const& left, DelayShare const& right) {
+                                      return left.name == right.name &&
+                                             is_same(left.milliseconds, right.milliseconds);
+                                    });
 }
 
 bool alike(PlotSubject const& subject, std::size_t a, std::size_t b) {
@@ -107,22 +116,34 @@ ContourCase const& fastest(GroupContour const& contour) {
                            });
 }
 
-Words delay_sentence(ReportSubject const& subject) {
+ReportBlocks delay_sentences(ReportSubject const& subject) {
   struct Late {
     double delay;
     std::string names;
   };
   std::vector<Late> all;
+  ReportBlocks blocks;
   for (auto const& axes : equal_axes(*subject.plots)) {
-    all.push_back({.delay = cost_of(subject, axes).delay_ms, .names = axes.names});
+    double const delay = cost_of(subject, axes).delay_ms;
+    if (std::isfinite(delay)) {
+      all.push_back({.delay = delay, .names = axes.names});
+    } else {
+      blocks.emplace_back(Paragraph{Words(says::blocks_position, {{"axes", axes.names}})});
+    }
   }
+  if (all.empty()) return blocks;
   auto const [low, high] = std::minmax_element(
       all.begin(), all.end(), [](Late const& one, Late const& other) { return one.delay < other.delay; });
   auto const delay = [](Late const& late) { return rounded(late.delay, Unit::millisecond, 4); };
-  if (high->delay == 0) return says::no_delay;
-  if (all.size() == 1) return {says::same_delay, {{"delay", delay(*high)}}};
-  return {says::delays_between,
-          {{"low", delay(*low)}, {"fast", low->names}, {"high", delay(*high)}, {"slow", high->names}}};
+  Words const sentence =
+      high->delay == 0 ? Words(says::no_delay)
+      : low->delay == high->delay
+          ? Words(says::same_delay, {{"delay", delay(*high)}})
+          : Words(
+                says::delays_between,
+                {{"low", delay(*low)}, {"fast", low->names}, {"high", delay(*high)}, {"slow", high->names}});
+  blocks.emplace(blocks.begin(), Paragraph{sentence});
+  return blocks;
 }
 
 Words contour_sentence(ReportSubject const& subject, GroupContour const& contour) {
@@ -234,9 +255,12 @@ Table overview_table(ReportSubject const& subject) {
 
 ReportBlocks cost_sentences(ReportSubject const& subject) {
   if (!subject.plots) return {};
-  ReportBlocks blocks{Paragraph{delay_sentence(subject)}};
+  auto blocks = delay_sentences(subject);
   for (auto const& [contour, reason] : subject.contours) {
-    if (!contour) continue;
+    if (!contour) {
+      if (!reason.empty()) blocks.emplace_back(Paragraph{as_given(reason)});
+      continue;
+    }
     blocks.emplace_back(Paragraph{contour_sentence(subject, *contour)});
     if (contour->limits) blocks.emplace_back(Paragraph{kept_feeds(*contour->limits)});
   }

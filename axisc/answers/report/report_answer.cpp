@@ -7,7 +7,6 @@
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/workspace/inputs.hpp"
-#include "configuration/machine_file_report.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
@@ -48,13 +47,12 @@ std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const&
 
 /// What the machine file says about the cover, where the question says nothing.
 void fill_cover(ReportSubject& subject, ReportQuestion const& question,
-                validator::LoadedMachine const& loaded, SourceSet const& sources) {
+                validator::LoadedMachine const& loaded) {
   subject.cover = question.cover;
   auto const fill = [](std::string& text, std::optional<configuration::LocatedText> const& said) {
     if (text.empty() && said) text = said->text;
   };
-  configuration::MachineFileReport said;
-  if (loaded.machine_file) said = configuration::read_report(sources, *loaded.machine_file);
+  auto const& said = loaded.report;
   fill(subject.cover.title, said.title);
   fill(subject.cover.customer, said.customer);
   fill(subject.cover.author, said.author);
@@ -90,20 +88,29 @@ std::vector<ReportedContour> contours_of(ReportSubject const& subject) {
 
 /// An earlier state beside the present one.
 struct Earlier {
-  std::unique_ptr<ComparedMachine> before, after;
+  std::shared_ptr<ComparedMachine> before;
   std::optional<MachineDifference> difference = std::nullopt;
   std::optional<image::RuntimeHost> host = std::nullopt;
   std::optional<image::StepAnswers> steps = std::nullopt;
 
+  /// Of lists their machines, as the page shows them.
   void read(Workspace& workspace, ReportQuestion const& question, ErrorSink const& errors) {
-    before = compared_machine(workspace, *question.before, errors);
-    after = compared_machine(workspace, question.input, errors);
-    if (!before || !after) return;
-    difference.emplace(compare_machines(*before, *after, false));
+    auto const machine_of = [&](std::string const& input) {
+      return machine_of_input(workspace, {.input = input, .alone = question.alone}).machine;
+    };
+    sides_ = compared_sides(workspace, machine_of(*question.before), machine_of(question.input), errors);
+    if (!sides_) return;
+    before = sides_->before;
+    difference.emplace(compare_machines(*sides_->before, *sides_->after, false));
     if (!before->image) return;
     host.emplace(start_runtime(*question.before, *before->image));
     steps.emplace(before->image->bytes.bytes(), before->image->contents);
   }
+
+  [[nodiscard]] std::optional<std::string> read_by_both() const { return sides_->read_by_both; }
+
+ private:
+  std::optional<ComparedSides> sides_;
 };
 
 }  // namespace
@@ -129,7 +136,7 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
   auto const machine = checked(subject, path, inputs.paths, workspace);
   SourceSet sources;
   auto const loaded = loaded_machine(workspace, path, sources);
-  fill_cover(subject, question, loaded, sources);
+  fill_cover(subject, question, loaded);
   std::optional<ImageFile> image;
   std::optional<image::RuntimeHost> host;
   Earlier old;
@@ -148,8 +155,10 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
   if (question.before) {
     old.read(workspace, question, errors);
     if (!old.difference) return std::nullopt;
-    difference.emplace(
-        ShownDifference{.before = *question.before, .after = input, .difference = *old.difference});
+    difference.emplace(ShownDifference{.before = *question.before,
+                                       .after = input,
+                                       .difference = *old.difference,
+                                       .read_by_both = old.read_by_both()});
     subject.difference = &*difference;
     if (subject.plots && old.host) {
       subject.plots->before.emplace(

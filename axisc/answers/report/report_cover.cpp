@@ -20,8 +20,11 @@ constexpr Sentence nothing_to_do{"Nothing: there are no findings.", "Nichts: es 
 constexpr Sentence verdict_errors{"No: {counts}. Nothing is compiled while there are errors.",
                                   "Nein: {counts}. Solange es Fehler gibt, wird nichts kompiliert."};
 constexpr Sentence verdict_tolerance{
-    "Not within the tolerance of {tolerance} at {feed} mm/min: {counts}.",
-    "Bei {feed} mm/min nicht innerhalb der Toleranz von {tolerance}: {counts}."};
+    "Not at {feed}: the tolerance of {tolerance} is exceeded; {counts}.",
+    "Nicht mit {feed}: die Toleranz von {tolerance} wird überschritten; {counts}."};
+constexpr Sentence verdict_unknown{
+    "Whether the tolerance of {tolerance} is kept cannot be told; {counts}.",
+    "Ob die Toleranz von {tolerance} eingehalten wird, lässt sich nicht sagen; {counts}."};
 constexpr Sentence verdict_warnings{"Yes, once the warnings have been looked at: {counts}.",
                                     "Ja, sobald die Warnungen geprüft sind: {counts}."};
 constexpr Sentence verdict_good{"Yes, as far as its lists tell: {counts}.",
@@ -29,11 +32,10 @@ constexpr Sentence verdict_good{"Yes, as far as its lists tell: {counts}.",
 constexpr Sentence counted{"errors: {errors}, warnings: {warnings}, notes: {notes}",
                            "Fehler: {errors}, Warnungen: {warnings}, Hinweise: {notes}"};
 constexpr Sentence overview_of{
-    "Deviations are those of one axis at {feed}, the largest of the axes in the row; “as passed” is the "
-    "corner as the control brakes in front of it, a reading.",
-    "Abweichungen sind die einer Achse bei {feed}, die größte der Achsen in der Zeile; „wie gefahren“ ist "
-    "die "
-    "Ecke, vor der die Steuerung bremst, eine Lesart."};
+    "Deviations are those of one axis at {feed}, the largest of the axes in the row; “as passed” takes into "
+    "account that the control brakes before the corner (a reading).",
+    "Abweichungen sind die einer Achse bei {feed}, die größte der Achsen in der Zeile; „wie gefahren“ "
+    "berücksichtigt, dass die Steuerung vor der Ecke bremst (eine Lesart)."};
 constexpr Sentence signatures{"signatures", "Unterschriften"};
 constexpr Sentence for_maker{"For the manufacturer", "Für den Hersteller"};
 constexpr Sentence for_customer{"For the customer", "Für den Kunden"};
@@ -62,22 +64,30 @@ bool exceeds_tolerance(ReportSubject const& subject) {
   });
 }
 
+/// A channel with a tolerance whose contour cannot be predicted.
+bool is_tolerance_unknown(ReportSubject const& subject) {
+  return subject.contour.tolerance_mm &&
+         std::any_of(subject.contours.begin(), subject.contours.end(),
+                     [](ReportedContour const& one) { return !one.figures && !one.reason.empty(); });
+}
+
 std::string verdict(ReportSubject const& subject) {
   auto const& counts = subject.counts;
   auto const counted = subject.say(says::counted, {{"errors", std::to_string(counts.errors)},
                                                    {"warnings", std::to_string(counts.warnings)},
                                                    {"notes", std::to_string(counts.notes)}});
   auto const [kind, sentence] =
-      counts.errors > 0            ? std::pair("verdict error", SentenceRef(says::verdict_errors))
-      : exceeds_tolerance(subject) ? std::pair("verdict warning", SentenceRef(says::verdict_tolerance))
-      : counts.warnings > 0        ? std::pair("verdict warning", SentenceRef(says::verdict_warnings))
-                                   : std::pair("verdict good", SentenceRef(says::verdict_good));
+      counts.errors > 0               ? std::pair("verdict error", SentenceRef(says::verdict_errors))
+      : exceeds_tolerance(subject)    ? std::pair("verdict warning", SentenceRef(says::verdict_tolerance))
+      : is_tolerance_unknown(subject) ? std::pair("verdict warning", SentenceRef(says::verdict_unknown))
+      : counts.warnings > 0           ? std::pair("verdict warning", SentenceRef(says::verdict_warnings))
+                                      : std::pair("verdict good", SentenceRef(says::verdict_good));
   auto const tolerance = exact(subject.contour.tolerance_mm.value_or(0), Unit::millimetre);
   return paragraph(
-      kind,
-      text_of(Words(sentence,
-                    {{"counts", counted}, {"tolerance", tolerance}, {"feed", exact(subject.highest_feed())}}),
-              subject.language));
+      kind, text_of(Words(sentence, {{"counts", counted},
+                                     {"tolerance", tolerance},
+                                     {"feed", exact(subject.highest_feed(), Unit::millimetre_per_minute)}}),
+                    subject.language));
 }
 
 Facts facts_of_people(ReportCover const& cover) {
@@ -141,7 +151,7 @@ std::string report_cover(ReportSubject const& subject) {
   html += subject.findings.empty() ? paragraph("", subject.say(says::nothing_to_do))
                                    : subject.html({to_do_table(subject)}, level);
   html += "<section class=\"sign\"" + pictures::attribute("aria-label", subject.say(says::signatures)) +
-          ">\n" + signature(subject, says::for_maker, subject.cover.author) +
+          ">\n" + signature(subject, says::for_maker, {}) +
           signature(subject, says::for_customer, subject.cover.customer) + "</section>\n";
   return html + "</header>\n";
 }

@@ -198,8 +198,7 @@ TEST_CASE("the overview says of equal axes once what contour and its budget say"
   // The finding is in the default list, so that it belongs to none of them.
   CHECK(cell(overview, axes, "findings") == "0");
   CHECK(cell(overview, "several axes, machine", "findings") == "1");
-  CHECK_THAT(html, Contains("Not within the tolerance of 0.05 mm at 3000 mm/min"));
-  // 90.5 µm at 2000 mm/min: see `contour --tolerance`.
+  CHECK_THAT(html, Contains("Not at 3000 mm/min: the tolerance of 0.05 mm is exceeded"));
   auto const limits = json::parse(run_axisc({"contour", mill, "--feed", "1500", "--radius", "7",
                                              "--tolerance", "0.05", "--format", "json"})
                                       .out);
@@ -362,7 +361,7 @@ TEST_CASE("a report of a change says each parameter and what it does") {
   CHECK(first[1][1] == "filter[0].fg_f0");
   CHECK_THAT(first[1][2], Contains("48") && Contains("42"));
   CHECK(html.find("What has changed?") < html.find("What do the filters cost?"));
-  CHECK_THAT(text, Contains("no change is documented to need a restart of the control"));
+  CHECK_THAT(text, Contains("none of the changed parameters is documented to need a restart of the control"));
   auto const same = text_of(report_of({mill, "--before", mill}, folder));
   CHECK_THAT(same, Contains("mean the same"));
   CHECK_THAT(html, Contains("class=\"curve before"));
@@ -410,4 +409,45 @@ TEST_CASE("a report needs an output that is none of its inputs") {
     CHECK_FALSE(outcome.err.empty());
   }
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a tolerance that cannot be judged is not called kept") {
+  TemporaryFolder const folder;
+  auto const list = [](std::string const& type) {
+    return "kenngr.achs_typ 1\ngetriebe[0].dynamik.vb_max 500000\nfilter[0].enable 1\nfilter[0].order "
+           "2\nfilter[0].type " +
+           type + "\nfilter[0].prototype CRIT_DAMPING\nfilter[0].fg_f0 30\nfilter[0].share_percent 100\n";
+  };
+  folder.write("x.lis", list("LOWPASS"));
+  folder.write("h.lis", list("HIGHPASS"));
+  folder.write("k.lis", list("HIGHPASS"));
+  folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
+    {"name": "H", "list": "h.lis"}, {"name": "K", "list": "k.lis"}], "groups": [{"axes": ["X", "H", "K"]}]})");
+  REQUIRE(run_axisc({"contour", "m.json", "--tolerance", "0.01"}, in_folder(folder.path())).status == 2);
+  auto const text = text_of(report_of({"m.json", "--tolerance", "0.01"}, folder));
+  CHECK_THAT(text, Contains("Whether the tolerance of 0.01 mm is kept cannot be told"));
+  CHECK_THAT(text, Contains("H, K: a filter does not let a constant position pass"));
+  CHECK_THAT(text, !Contains("- (H)"));
+}
+
+TEST_CASE("the report compares lists in their machines, and assures only what it has looked at") {
+  TemporaryFolder const folder;
+  for (std::string const state : {"old", "new"}) {
+    folder.write(state + "/x.lis", "kopf.achs_nr 1\nkopf.log_achs_name X\nkenngr.achs_typ 1\n");
+    folder.write(
+        state + "/default.lis",
+        "filter[0].enable 1\nfilter[0].order 2\nfilter[0].type LOWPASS\nfilter[0].prototype CRIT_DAMPING\n"
+        "filter[0].fg_f0 " +
+            std::string(state == "old" ? "30" : "20") + "\nfilter[0].share_percent 100\n");
+    folder.write(state + "/m.json", R"({"machine": "m", "cycle_time_us": 1000, "default_list": "default.lis",
+      "axes": [{"name": "X", "list": "x.lis"}]})");
+  }
+  auto const changed = text_of(report_of({"new/x.lis", "--before", "old/x.lis"}, folder));
+  CHECK_THAT(changed, Contains("30 → 20"));
+  CHECK_THAT(changed, !Contains("mean the same"));
+  folder.write("new/default.lis", folder.read("old/default.lis"));
+  folder.write("new/m.json", R"({"machine": "m", "cycle_time_us": 2000, "default_list": "default.lis",
+    "axes": [{"name": "X", "list": "x.lis"}]})");
+  CHECK_THAT(text_of(report_of({"new/m.json", "--before", "old/m.json"}, folder)),
+             !Contains("need a restart"));
 }
