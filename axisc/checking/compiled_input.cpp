@@ -1,34 +1,28 @@
 #include "axisc/checking/compiled_input.hpp"
 
 #include "diagnostics/ascii.hpp"
-#include "system/file.hpp"
 
 #include <variant>
 
 namespace axisc {
 
-namespace {
-
-/// Text is left to the check, which reports what is wrong with it.
-bool may_be_image(configuration::Files& files, std::string const& input) {
-  if (input == "-" || system::kind_of(input) == system::FileKind::folder) return false;
-  if (ascii::has_extension(input, ".axim")) return true;
-  bool is_image = false;
-  auto const failed = files.read_pieces(input, [&](std::string_view beginning) {
-    auto const checked = configuration::check_text(beginning);
-    auto const* const error = std::get_if<configuration::FileError>(&checked);
-    is_image = error != nullptr && *error == configuration::FileError::image;
-    return false;
-  });
-  return !failed && is_image;
+std::optional<ImageFile> image_in(Workspace& workspace, std::string const& path) {
+  bool const is_called_so = ascii::has_extension(path, ".axim");
+  auto const read = workspace.files().read(path);
+  if (auto const* const text = std::get_if<std::string>(&read)) {
+    bool const is_image = is_called_so || text->starts_with("AXIM");
+    return is_image ? std::optional(image_of_bytes(path, *text)) : std::nullopt;
+  }
+  auto const error = std::get<configuration::FileError>(read);
+  bool const is_binary =
+      error == configuration::FileError::image || error == configuration::FileError::binary;
+  return is_called_so || is_binary ? std::optional(load_image(path)) : std::nullopt;
 }
-
-}  // namespace
 
 std::optional<InputImage> compiled_input(Workspace& workspace, MachineRequest const& request,
                                          ErrorSink const& errors) {
   auto const& input = request.input;
-  if (may_be_image(workspace.files(), input)) return InputImage{.image = load_image(input), .machine = {}};
+  if (auto image = image_in(workspace, input)) return InputImage{.image = std::move(*image), .machine = {}};
   auto checked = checked_machine(workspace, request, errors);
   if (!checked) return std::nullopt;
   auto image = image_of(checked->machine, input);

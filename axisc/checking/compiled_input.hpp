@@ -9,6 +9,10 @@
 
 namespace axisc {
 
+/// The image that a file is: one called .axim, or whose bytes begin as those of an image, or are no text.
+/// None for lists and folders. Failure for a damaged one. Unsaved bytes count; "-" is standard input.
+[[nodiscard]] std::optional<ImageFile> image_in(Workspace& workspace, std::string const& path);
+
 struct InputImage {
   ImageFile image;
   std::optional<CheckedMachine> machine;  ///< from which it was compiled; an image is read as it is

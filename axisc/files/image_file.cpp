@@ -110,12 +110,7 @@ std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
 }
 
 std::string_view port_name(Port port) {
-  switch (port) {
-    case Port::setpoint: return "setpoint";
-    case Port::interface: return "interface";
-    case Port::velocity: return "velocity";
-  }
-  return {};
+  return ports.begin()[static_cast<std::size_t>(port)].first;
 }
 
 std::uint32_t level_of(std::optional<std::string> const& word) {

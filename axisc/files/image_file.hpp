@@ -8,9 +8,11 @@
 #include "image/runtime_host.hpp"
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace axisc {
@@ -41,7 +43,8 @@ struct ImageFile {
 
 enum class Port : std::uint8_t { setpoint, interface, velocity };
 
-/// "setpoint", "interface", "velocity".
+inline std::initializer_list<std::pair<std::string_view, Port>> const ports = {
+    {"setpoint", Port::setpoint}, {"interface", Port::interface}, {"velocity", Port::velocity}};
 [[nodiscard]] std::string_view port_name(Port port);
 
 /// Values of `--level`, for help and messages.

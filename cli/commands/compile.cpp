@@ -26,11 +26,6 @@ constexpr Sentence no_image{
     "no image was written: no input is an axis list or a machine; name the folder or the files of a machine",
     "es wurde kein Abbild geschrieben: keine Eingabe ist eine Achsliste oder eine Maschine; den Ordner oder "
     "die Dateien einer Maschine angeben"};
-constexpr Sentence part_of_machine{
-    "{file} is part of {machine}, whose default list and NC cycle time count for it as well: compile that, "
-    "or the list by itself with --alone",
-    "{file} gehört zu {machine}, deren Standardliste und NC-Zykluszeit mit gelten: diese kompilieren, oder "
-    "die Liste für sich mit --alone"};
 constexpr Sentence batch_done{
     "images: {written} written, {unchanged} unchanged, {missing} not written",
     "Abbilder: {written} geschrieben, {unchanged} unverändert, {missing} nicht geschrieben"};
@@ -69,8 +64,7 @@ class Compile {
              .skips_other_lists = options.is_batch()} {
     report_format_.format = options.checking.format;
     report_format_.write = {.language = language, .color = color, .width = printed_width()};
-    auto [inputs, images] = choose_inputs(options, workspace_.settings());
-    if (!options.alone) leave_out_parts(inputs, images);
+    auto [inputs, images] = choose_inputs(options, workspace_);
     workspace_.take(inputs);
     paths_ = std::move(inputs.paths);
     names_ = std::move(images);
@@ -104,24 +98,6 @@ class Compile {
   }
 
  private:
-  /// The image of a list by itself would lack what its machine's other lists configure.
-  void leave_out_parts(Inputs& inputs, std::vector<std::string>& images) {
-    auto const belongings = workspace_.belonging_of(inputs);
-    std::vector<std::string> paths, names;
-    for (std::size_t i = 0; i < belongings.size(); ++i) {
-      auto const& path = inputs.paths[i];
-      auto const& machine = belongings[i].machine;
-      if (machine != path) {
-        inputs.failures.emplace_back(Message{says::part_of_machine, {{"file", path}, {"machine", machine}}});
-        continue;
-      }
-      paths.push_back(path);
-      if (i < images.size()) names.push_back(images[i]);
-    }
-    inputs.paths = std::move(paths);
-    images = std::move(names);
-  }
-
   /// Known before anything is written: an image of one input must not replace a list of another one.
   void protect_sources() const {
     auto outputs = names_;

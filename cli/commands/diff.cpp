@@ -1,6 +1,5 @@
 #include "axisc/answers/difference/difference_answer.hpp"
 #include "axisc/asked/quantities.hpp"
-#include "axisc/files/path_identity.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/options/check_options.hpp"
@@ -8,9 +7,6 @@
 #include "cli/options/sentences.hpp"
 #include "cli/output/answer_output.hpp"
 #include "cli/output/printed_errors.hpp"
-
-#include <map>
-#include <memory>
 
 namespace axisc::cli::says {
 
@@ -32,11 +28,6 @@ constexpr Sentence one_input{
     "there is nothing to compare {input} with; name a second input, or two of its axes: --axis X --axis Y",
     "es fehlt, womit {input} zu vergleichen ist; eine zweite Eingabe nennen oder zwei ihrer Achsen: --axis X "
     "--axis Y"};
-constexpr Sentence same_list{
-    "both sides read {list}, because both start-up lists lead to it; to compare a copy of a folder, keep the "
-    "folder's name: backup/listen beside listen, not backup",
-    "beide Seiten lesen {list}, weil beide Hochlauflisten dorthin führen; um die Kopie eines Ordners zu "
-    "vergleichen, den Namen des Ordners behalten: sicherung/listen neben listen, nicht sicherung"};
 constexpr Sentence too_many{"`diff` compares two inputs, and at most two axes of them",
                             "`diff` vergleicht zwei Eingaben und höchstens zwei Achsen davon"};
 constexpr Sentence option_feed{"path feed in mm/min for the corner (default: 1000)",
@@ -72,25 +63,6 @@ void declare(CommandLine& command_line, DiffOptions& options) {
   command_line.flag("--exit-code", options.exit_code, says::option_exit_code);
 }
 
-/// Lists name each other from a folder above them, so that the copy of a folder may lead back to the
-/// original.
-void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& after,
-                       Invocation const& invocation) {
-  PathIdentities identities;
-  bool const are_start_up_lists =
-      before.loaded && after.loaded && before.loaded->start_up && after.loaded->start_up;
-  if (!are_start_up_lists || identities.of(before.loaded->path) == identities.of(after.loaded->path)) return;
-  std::map<std::string, std::string> read_after;
-  for (auto const& is : after.axes) read_after.emplace(identities.of(is.path), is.path);
-  for (auto const& was : before.axes) {
-    auto const same = read_after.find(identities.of(was.path));
-    if (same == read_after.end()) continue;
-    invocation.streams.err.write(
-        warning_line({says::same_list, {{"list", same->second}}}, invocation.language));
-    return;
-  }
-}
-
 MachineDifference compare(DiffOptions const& options, ComparedSides const& sides) {
   if (options.axes.empty()) return compare_machines(*sides.before, *sides.after, options.all);
   return compare_axes(*sides.before, axis_called(*sides.before, options.axes.front()), *sides.after,
@@ -123,7 +95,6 @@ ExitStatus diff(Invocation const& invocation) {
   auto const sides = compared_sides(workspace, options.inputs.front(), options.inputs.back(),
                                     printed_errors(invocation, color));
   if (!sides) return ExitStatus::findings;
-  warn_of_same_list(*sides->before, *sides->after, invocation);
 
   auto const difference = compare(options, *sides);
   bool const of_one_machine = difference.of_one_machine;
@@ -131,7 +102,8 @@ ExitStatus diff(Invocation const& invocation) {
             {.before = of_one_machine ? axis_called(*sides->before, options.axes[0]).name : options.inputs[0],
              .after = of_one_machine ? axis_called(*sides->after, options.axes[1]).name : options.inputs[1],
              .difference = difference,
-             .feed_mm_per_min = feed}),
+             .feed_mm_per_min = feed,
+             .read_by_both = sides->read_by_both}),
         options.format, invocation, command_line);
   bool const has_errors = !sides->before->image || !sides->after->image;
   return has_errors || (options.exit_code && !difference.empty()) ? ExitStatus::findings

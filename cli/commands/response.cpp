@@ -35,9 +35,7 @@ ExitStatus response(Invocation const& invocation) {
   command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);
   declare_alone(command_line, request.alone);
   command_line.value("--axis", "NAME", question.axis, says::option_axis);
-  command_line.choice(
-      "--port", {{"setpoint", Port::setpoint}, {"interface", Port::interface}, {"velocity", Port::velocity}},
-      question.port, says::option_port);
+  command_line.choice("--port", ports, question.port, says::option_port);
   command_line.value("--frequencies", "F[,F...]", frequencies, says::option_frequencies);
   command_line.value("--level", level_names, level, says::option_level);
   command_line.values("--at", "CYCLE:COMMAND", commands, says::option_at);
@@ -47,8 +45,7 @@ ExitStatus response(Invocation const& invocation) {
   request.input = question.image = *path;
   Workspace workspace(overrides_with(cycle_time));
   auto const errors = printed_errors(invocation, use_color(command_line.color(), system::Stream::error));
-  auto const input = *path == "-" ? std::optional(InputImage{.image = load_image("-"), .machine = {}})
-                                  : compiled_input(workspace, request, errors);
+  auto const input = compiled_input(workspace, request, errors);
   if (!input) return ExitStatus::findings;
   auto const& file = input->image;
   if (!question.axis) question.axis = input->axis();

@@ -125,8 +125,8 @@ std::uint64_t cycles_of(RunOptions const& options) {
 }
 
 Port port_of(RunOptions const& options) {
-  for (auto const port : {Port::setpoint, Port::interface, Port::velocity}) {
-    if (!options.port || *options.port == port_name(port)) return port;
+  for (auto const& [name, port] : ports) {
+    if (!options.port || *options.port == name) return port;
   }
   throw Failure(
       {says::bad_choice,

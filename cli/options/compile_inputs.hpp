@@ -2,8 +2,7 @@
 #pragma once
 
 #include "axisc/environment/failure.hpp"
-#include "axisc/settings/settings.hpp"
-#include "axisc/workspace/inputs.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "cli/options/compile_options.hpp"
 
 #include <string>
@@ -16,7 +15,8 @@ struct CompileInputs {
   std::vector<std::string> images;  ///< by input
 };
 
-/// Failure for inputs that cannot become an image, and for two images of the same name.
-[[nodiscard]] CompileInputs choose_inputs(CompileOptions const& options, SettingsFinder& settings);
+/// Without lists and programs that a machine reads, unless `--alone` is given. Failure for inputs that cannot
+/// become an image, and for two images of the same name.
+[[nodiscard]] CompileInputs choose_inputs(CompileOptions const& options, Workspace& workspace);
 
 }  // namespace axisc::cli

@@ -46,7 +46,7 @@ def press(shell, folder, typed, expected):
     """Types the line in the shell; gives what the shell showed."""
     child, terminal = pty.fork()
     if child == 0:
-        os.chdir(f"{folder}/work")
+        os.chdir(f"{folder}/plant")
         environment = {"PATH": "/usr/bin:/bin", "HOME": folder, "ZDOTDIR": folder, "TERM": "dumb", "LANG": "C.UTF-8"}
         os.execvpe(shell[0], shell, environment)
     shown = ""
@@ -69,7 +69,7 @@ def press(shell, folder, typed, expected):
 
 def fish(folder, typed):
     word = typed.rstrip("\t")
-    script = f"source '{SHARE}/fish/vendor_completions.d/axisc.fish'; cd '{folder}/work'; complete -C '{word}'"
+    script = f"source '{SHARE}/fish/vendor_completions.d/axisc.fish'; cd '{folder}/plant'; complete -C '{word}'"
     return subprocess.run(["fish", "-N", "-c", script], capture_output=True, text=True, check=True,
                           env={"PATH": "/usr/bin:/bin", "HOME": folder}).stdout
 
@@ -77,8 +77,8 @@ def fish(folder, typed):
 def main():
     mistakes = 0
     with tempfile.TemporaryDirectory() as folder:
-        os.makedirs(f"{folder}/work/ordner")
-        with open(f"{folder}/work/achsen.lis", "w", encoding="utf-8"):
+        os.makedirs(f"{folder}/plant/ordner")
+        with open(f"{folder}/plant/achsen.lis", "w", encoding="utf-8"):
             pass
         for name, start in (("bash", bash), ("zsh", zsh)):
             if not shutil.which(name):

@@ -1,23 +1,20 @@
 #include "axisc/answers/difference/compared_machine.hpp"
 
+#include "axisc/checking/compiled_input.hpp"
 #include "axisc/checking/machine_input.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "axisc/files/disk_files.hpp"
+#include "axisc/files/path_identity.hpp"
 #include "axisc/workspace/inputs.hpp"
 #include "validator/values/list_reader.hpp"
 #include "validator/views/drive.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
-#include <variant>
 
 namespace axisc {
 
 namespace {
-
-bool is_image(std::string_view bytes) {
-  return bytes.substr(0, 4) == "AXIM";
-}
 
 std::vector<std::string> names_of(std::vector<ComparedAxis> const& axes,
                                   std::vector<std::size_t> const& indices) {
@@ -173,13 +170,8 @@ std::unique_ptr<ComparedMachine> compared_machine(Workspace& workspace, std::str
   auto side = std::make_unique<ComparedMachine>();
   side->input = input;
   auto const path = machine_input(input);
-  auto read = workspace.files().read(path);
-  auto const* const error = std::get_if<configuration::FileError>(&read);
-  bool const may_be_image = error != nullptr && (*error == configuration::FileError::image ||
-                                                 *error == configuration::FileError::binary);
-  if (error != nullptr && !may_be_image) throw unreadable(path, *error);
-  if (may_be_image || is_image(std::get<std::string>(read))) {
-    side->image = may_be_image ? load_image(path) : image_of_bytes(path, std::get<std::string>(read));
+  if (auto image = image_in(workspace, path)) {
+    side->image = std::move(*image);
     fill_from_image(*side, workspace.options_of(path).catalogue);
     return side;
   }
@@ -193,6 +185,26 @@ std::unique_ptr<ComparedMachine> compared_machine(Workspace& workspace, std::str
   return side;
 }
 
+namespace {
+
+std::optional<std::string> list_of_both(ComparedMachine const& before, ComparedMachine const& after) {
+  PathIdentities identities;
+  bool const are_start_up_lists =
+      before.loaded && after.loaded && before.loaded->start_up && after.loaded->start_up;
+  if (!are_start_up_lists || identities.of(before.loaded->path) == identities.of(after.loaded->path)) {
+    return std::nullopt;
+  }
+  std::map<std::string, std::string> read_after;
+  for (auto const& is : after.axes) read_after.emplace(identities.of(is.path), is.path);
+  for (auto const& was : before.axes) {
+    auto const same = read_after.find(identities.of(was.path));
+    if (same != read_after.end()) return same->second;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<ComparedSides> compared_sides(Workspace& workspace, std::string const& before,
                                             std::string const& after, ErrorSink const& errors) {
   ComparedSides sides{.before = compared_machine(workspace, before, errors), .after = {}};
@@ -204,6 +216,7 @@ std::optional<ComparedSides> compared_sides(Workspace& workspace, std::string co
     workspace.assume(known.cycle_time);
     unknown = compared_machine(workspace, unknown->input, errors);
   }
+  sides.read_by_both = list_of_both(*sides.before, *sides.after);
   return sides;
 }
 

@@ -79,6 +79,9 @@ struct ComparedMachine {
 /// The two sides of a comparison; one object where both are one input.
 struct ComparedSides {
   std::shared_ptr<ComparedMachine> before, after;
+  /// A list to which two start-up lists lead: lists name each other from a folder above, so that the copy
+  /// of a folder may lead back to the original.
+  std::optional<std::string> read_by_both = {};
 };
 
 /// As compared_machine(); none where one of them is no axis. A list alone does not say its NC cycle time:

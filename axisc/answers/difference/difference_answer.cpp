@@ -20,8 +20,14 @@ constexpr Sentence more{"{first}, {next}", "{first}, {next}"};
 constexpr Sentence gantry{"gantry of {master}: slaves", "Gantry von {master}: Slaves"};
 constexpr Sentence restart{"after a restart of the control: {parameters}",
                            "erst nach einem Neustart der Steuerung: {parameters}"};
-constexpr Sentence no_restart{"no change is documented to need a restart of the control",
-                              "für keine Änderung ist ein Neustart der Steuerung dokumentiert"};
+constexpr Sentence no_restart{
+    "none of the changed parameters is documented to need a restart of the control",
+    "für keinen der geänderten Parameter ist ein Neustart der Steuerung dokumentiert"};
+constexpr Sentence same_list{
+    "both sides read {list}, because both start-up lists lead to it; to compare a copy of a folder, keep the "
+    "folder's name: backup/listen beside listen, not backup",
+    "beide Seiten lesen {list}, weil beide Hochlauflisten dorthin führen; um die Kopie eines Ordners zu "
+    "vergleichen, den Namen des Ordners behalten: sicherung/listen neben listen, nicht sicherung"};
 constexpr Sentence other_channels{"channels that differ: {channels}",
                                   "Kanäle, die sich unterscheiden: {channels}"};
 constexpr Sentence set_to_default{
@@ -206,6 +212,11 @@ Table all_changes(ShownDifference const& shown) {
   return table;
 }
 
+/// Why the sides may be one.
+Paragraph doubt_of(ShownDifference const& shown) {
+  return {Words(says::same_list, {{"list", shown.read_by_both.value_or("")}})};
+}
+
 /// What needs a restart, and what is not shown.
 void add_remarks(std::vector<Block>& blocks, MachineDifference const& difference) {
   auto const add = [&](SentenceRef sentence, std::vector<NamedValue> values) {
@@ -221,8 +232,11 @@ void add_remarks(std::vector<Block>& blocks, MachineDifference const& difference
 
 std::vector<Block> change_summary(ShownDifference const& shown) {
   auto const& difference = shown.difference;
+  if (shown.read_by_both) return {doubt_of(shown)};
   if (difference.empty()) return {Paragraph{title_of(shown)}};
-  std::vector<Block> blocks{machine_table(shown), all_changes(shown)};
+  auto changes = all_changes(shown);
+  bool const has_changed_parameters = !changes.rows.empty();
+  std::vector<Block> blocks{machine_table(shown), std::move(changes)};
   Names channels;
   for (auto const& channel : difference.channels) {
     channels.push_back((channel.after != nullptr ? channel.after : channel.before)->name);
@@ -230,9 +244,11 @@ std::vector<Block> change_summary(ShownDifference const& shown) {
   if (!channels.empty()) {
     blocks.emplace_back(Paragraph{Words(says::other_channels, {{"channels", channels}})});
   }
-  blocks.emplace_back(Paragraph{difference.needs_restart()
-                                    ? Words(says::restart, {{"parameters", restarting(difference)}})
-                                    : Words(says::no_restart)});
+  if (difference.needs_restart()) {
+    blocks.emplace_back(Paragraph{Words(says::restart, {{"parameters", restarting(difference)}})});
+  } else if (has_changed_parameters) {
+    blocks.emplace_back(Paragraph{says::no_restart});
+  }
   return blocks;
 }
 
@@ -276,6 +292,10 @@ Document difference_answer(ShownDifference const& shown) {
            axes_data(shown)},
       .csv_table = "parameters"};
   for (auto& section : axis_sections(shown)) answer.blocks.emplace_back(std::move(section));
+  if (shown.read_by_both) {
+    answer.blocks.insert(answer.blocks.begin(), doubt_of(shown));
+    answer.blocks.emplace_back(Facts{{data("read_by_both", *shown.read_by_both)}});
+  }
   add_remarks(answer.blocks, difference);
   return answer;
 }

@@ -13,7 +13,8 @@ namespace axisc {
 struct ShownDifference {
   std::string before, after;  ///< the inputs' names, or those of two axes of one machine
   MachineDifference const& difference;
-  double feed_mm_per_min = 1000;  ///< of the corner
+  double feed_mm_per_min = 1000;                 ///< of the corner
+  std::optional<std::string> read_by_both = {};  ///< see ComparedSides
 };
 
 [[nodiscard]] presentation::Document difference_answer(ShownDifference const& shown);
