@@ -1,5 +1,6 @@
 #include "axisc/asked/filter_symbols.hpp"
 
+#include "configuration/machine/interface_filter.hpp"
 #include "schema/catalogue.hpp"
 
 namespace axisc::says {
@@ -52,15 +53,17 @@ std::string_view mode_word(machine::StageMode mode) {
 }
 
 std::string filter_path(image::ImageFilter const& filter, bool interface) {
+  if (interface && filter.index == machine::interface_filter_time)
+    return "kenngr.in_add_interface_filter_time";
   return (interface ? "lr_param.add_interface.filter[" : "filter[") + std::to_string(filter.index) + "]";
 }
 
 std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis, image::ImageFilter const& filter,
                                            bool interface) {
-  auto const prefix = filter_path(filter, interface) + ".";
+  auto const path = filter_path(filter, interface);
   std::vector<image::ImageValue> settings;
   for (auto const& value : axis.values) {
-    if (value.name.substr(0, prefix.size()) == prefix) settings.push_back(value);
+    if (value.name == path || value.name.starts_with(path + ".")) settings.push_back(value);
   }
   return settings;
 }

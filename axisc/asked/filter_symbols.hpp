@@ -23,7 +23,7 @@ namespace axisc {
 /// "DIRECT".
 [[nodiscard]] std::string_view mode_word(machine::StageMode mode);
 
-/// `filter[0]`, or `lr_param.add_interface.filter[0]`.
+/// `filter[0]`, `lr_param.add_interface.filter[0]`, or `kenngr.in_add_interface_filter_time`.
 [[nodiscard]] std::string filter_path(image::ImageFilter const& filter, bool interface);
 
 /// The values that the lists set for one filter, in the order of the lines.

@@ -20,7 +20,7 @@ constexpr Sentence figures{"Delay {delay} ms at 0 Hz, a step overshoots by {over
 constexpr Sentence corner{"{figures}, -3 dB at {frequency} Hz.", "{figures}, -3 dB bei {frequency} Hz."};
 constexpr Sentence no_corner{"{figures}.", "{figures}."};
 constexpr Sentence switched_off{"No figures: this filter is switched off.",
-                                "Keine Kennwerte: Dieses Filter ist ausgeschaltet."};
+                                "Keine Kennwerte: Dieser Filter ist ausgeschaltet."};
 constexpr Sentence not_usable{"No figures: a value of this filter cannot be used.",
                               "Keine Kennwerte: Ein Wert dieses Filters ist nicht verwendbar."};
 constexpr Sentence frequency{"frequency", "Frequenz"};

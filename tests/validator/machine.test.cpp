@@ -1,6 +1,7 @@
 // The typed machine that image and runtime are made from.
 #include "configuration/machine/machine.hpp"
 
+#include "configuration/machine/interface_filter.hpp"
 #include "support/catch.hpp"
 #include "support/checked.hpp"
 
@@ -68,6 +69,29 @@ TEST_CASE("an interface that is off has no filters") {
   Checked const checked(std::string(filters) + "lr_param.add_interface.enable 0\n");
   REQUIRE(checked.result.machine);
   CHECK(checked.result.machine->axes[0].interface_filters.empty());
+}
+
+TEST_CASE("the older time constant of the interface is the PT2 that its successor writes out") {
+  std::string const older = "kenngr.in_add_interface_filter_time 5000\n";
+  std::string const newer =
+      "lr_param.add_interface.filter[0].enable 1\nlr_param.add_interface.filter[0].time_constant 5000\n";
+  auto const filters_of = [](std::string const& list) {
+    Checked const checked(list);
+    REQUIRE(checked.result.machine);
+    return checked.result.machine->axes[0].interface_filters;
+  };
+  REQUIRE(filters_of(older).size() == 1);
+  REQUIRE(filters_of(newer).size() == 1);
+  auto successor = filters_of(newer)[0].specification;
+  successor.order = filters_of(older)[0].specification.order;  // a PT2 computes its own
+  CHECK(filters_of(older)[0].specification == successor);
+  CHECK(filters_of(older)[0].index == machine::interface_filter_time);
+  CHECK(filters_of(older + "lr_param.add_interface.enable 0\n").empty());
+  CHECK(filters_of("kenngr.in_add_interface_filter_time 0\n").empty());
+  Checked const both(older + newer);
+  CHECK(both.result.not_compiled.size() == 1);
+  REQUIRE(both.result.machine);
+  CHECK(both.result.machine->axes[0].interface_filters[0].index == 0);
 }
 
 TEST_CASE("a machine keeps its lists under the names of the machine file") {

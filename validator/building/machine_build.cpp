@@ -1,12 +1,14 @@
 #include "validator/building/machine_build.hpp"
 
 #include "configuration/machine/guards.hpp"
+#include "configuration/machine/interface_filter.hpp"
 #include "validator/views/axis_dynamics.hpp"
 #include "validator/views/channel.hpp"
 #include "validator/views/delay_budget.hpp"
 #include "validator/views/drive.hpp"
 #include "validator/views/fir_view.hpp"
 #include "validator/views/hsc_view.hpp"
+#include "validator/views/interface_filter_time.hpp"
 #include "validator/views/position_control_view.hpp"
 #include "validator/views/uncomputed.hpp"
 
@@ -93,6 +95,20 @@ class AxisBuilder {
         name.append(std::to_string(filter.index)).append("]");
         leave_out_filter(filter.anchor(filter.enable), std::move(name));
       }
+    }
+    add_interface_filter_time(result);
+  }
+
+  void add_interface_filter_time(machine::AxisConfiguration& result) {
+    EffectiveValue const& time = values_.at(interface_filter_time_name);
+    bool const is_off = !time.unusable && !(time.value.number > 0);
+    if (is_off || !has_interface(values_)) return;
+    auto const specification = interface_filter_time(values_, cycle_time_);
+    if (specification && result.interface_filters.empty()) {
+      result.interface_filters.push_back(
+          {.index = machine::interface_filter_time, .specification = *specification});
+    } else {
+      leave_out_filter(time, std::string(interface_filter_time_name));
     }
   }
 
