@@ -8,6 +8,7 @@
 #include <ctime>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -32,16 +33,26 @@ struct Clock final : motion::PathSink {
   [[nodiscard]] double room() const override { return std::numeric_limits<double>::infinity(); }
 };
 
-/// The end of block n, in mm.
-using Curve = std::function<Point(std::size_t)>;
+using motion::ProgrammedBlock;
+constexpr double pi = 3.141592653589793;
+
+/// Block n, without its feed.
+using Curve = std::function<ProgrammedBlock(std::size_t)>;
+
+ProgrammedBlock line_to(Point end) {
+  for (auto& x : end) x *= motion::units_per_mm;
+  ProgrammedBlock block;
+  block.end = end;
+  return block;
+}
 
 /// Straight blocks of 1 mm in any direction.
 Curve lines() {
   return [engine = std::mt19937_64(1), at = Point{}](std::size_t) mutable {
-    double const angle = static_cast<double>(engine() >> 11U) * 0x1p-53 * 6.283185307179586;
+    double const angle = static_cast<double>(engine() >> 11U) * 0x1p-53 * 2 * pi;
     at[0] += std::cos(angle);
     at[1] += std::sin(angle);
-    return at;
+    return line_to(at);
   };
 }
 
@@ -49,7 +60,36 @@ Curve lines() {
 Curve waves(double length) {
   return [length](std::size_t n) {
     double const x = length * static_cast<double>(n + 1);
-    return Point{x, 5 * std::sin(x / 10), std::cos(x / 7)};
+    return line_to({x, 5 * std::sin(x / 10), std::cos(x / 7)});
+  };
+}
+
+/// A meander of arcs of this many mm and degrees, each tangential to the one before it, on alternate sides; with
+/// lines of 0.2 mm between them as tool paths have them.
+Curve meander(double radius, double degrees, bool with_lines) {
+  double const sweep = degrees * pi / 180;
+  return [=, at = Point{}, heading = -sweep / 2, side = 1.0](std::size_t n) mutable {
+    if (with_lines && n % 2 == 1) {
+      at[0] += 0.2 * std::cos(heading);
+      at[1] += 0.2 * std::sin(heading);
+      return line_to(at);
+    }
+    double const phase = heading - side * pi / 2;
+    double const center_x = at[0] - radius * std::cos(phase), center_y = at[1] - radius * std::sin(phase);
+    heading += side * sweep;
+    at[0] = center_x + radius * std::cos(phase + side * sweep);
+    at[1] = center_y + radius * std::sin(phase + side * sweep);
+    motion::Arc arc;
+    arc.center_first = center_x * motion::units_per_mm;
+    arc.center_second = center_y * motion::units_per_mm;
+    arc.radius = radius * motion::units_per_mm;
+    arc.phase = phase;
+    arc.sweep = side * sweep;
+    arc.length = arc.radius * sweep;
+    side = -side;
+    auto block = line_to(at);
+    block.arc = std::make_shared<motion::Arc const>(arc);
+    return block;
   };
 }
 
@@ -70,10 +110,8 @@ double measure(Curve curve, machine::Slope slope, std::size_t blocks) {
   motion::LookAhead planner(motion::PathLimits(dynamics), false, clock);
   planner.begin({}, {}, 1);
   for (std::size_t i = 0; i < blocks; ++i) {
-    motion::ProgrammedBlock block;
+    auto block = curve(i);
     block.feed = 1000;  // 6000 mm/min
-    block.end = curve(i);
-    for (auto& x : block.end) x *= motion::units_per_mm;
     planner.add(block);
   }
   planner.stop();
@@ -86,10 +124,15 @@ double measure(Curve curve, machine::Slope slope, std::size_t blocks) {
 int main(int count, char** words) {
   using axisc::machine::Slope;
   std::size_t const blocks = count > 1 ? std::strtoul(words[1], nullptr, 10) : 1'000'000;
-  std::vector<std::pair<char const*, axisc::Curve>> const curves = {{"lines 1 mm", axisc::lines()},
-                                                                    {"waves 0.5 mm", axisc::waves(0.5)},
-                                                                    {"waves 0.05 mm", axisc::waves(0.05)},
-                                                                    {"waves 0.01 mm", axisc::waves(0.01)}};
+  std::vector<std::pair<char const*, axisc::Curve>> const curves = {
+      {"lines 1 mm", axisc::lines()},
+      {"waves 0.5 mm", axisc::waves(0.5)},
+      {"waves 0.05 mm", axisc::waves(0.05)},
+      {"waves 0.01 mm", axisc::waves(0.01)},
+      {"arcs 0.5 mm", axisc::meander(0.5, 60, false)},
+      {"arcs 0.05 mm", axisc::meander(0.5, 6, false)},
+      {"lines, arcs", axisc::meander(0.2, 90, true)},
+      {"full circles", axisc::meander(0.5, 360, false)}};
   std::printf("%zu blocks, s  STEP  TRAPEZ  SIN2  HSC\n", blocks);
   for (auto const& [name, curve] : curves) {
     std::printf("%-14s", name);
