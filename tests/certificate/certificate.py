@@ -137,35 +137,60 @@ def random_lists():
     expect(False, f"only {found} of {LISTS} random lists were compiled")
 
 
-def mutations():
-    # A stripped image is short, and checksums cost time here.
-    with open(os.path.join(FOLDER, "stripped.axim"), "rb") as file:
-        right = bytearray(file.read())
+def refused(image, what):
     path = os.path.join(FOLDER, "changed.axim")
+    write(path, image)
+    expect(run(CHECKER, path).returncode == 1, f"{what} is not refused")
+
+
+def mutations_of(name):
+    """Every field of every record, moved to the wrong side by 2^-38, or by one."""
+    with open(os.path.join(FOLDER, name + ".axim"), "rb") as file:
+        right = bytearray(file.read())
     first, count = section(right, 20)
     cases = 0
-    for index in range(count):
+    for record in range(first, first + 128 * count, 128):
         for field in range(24, 112, 8):
-            at = first + 128 * index + field
             image = bytearray(right)
             if field == 96:
-                struct.pack_into("<Q", image, at, struct.unpack_from("<Q", image, at)[0] - 1)
+                rest = struct.unpack_from("<Q", image, record + field)[0]
+                if rest == 0:
+                    continue
+                struct.pack_into("<Q", image, record + field, rest - 1)
             else:
-                value = struct.unpack_from("<d", image, at)[0]
+                value = struct.unpack_from("<d", image, record + field)[0]
                 if value == 0:
                     continue
-                struct.pack_into("<d", image, at, value * (1 + (1 if field == 24 else -1) * 2.0**-38))
-            write(path, image)
+                struct.pack_into("<d", image, record + field, value * (1 + (1 if field == 24 else -1) * 2.0**-38))
+            refused(image, f"{name}: record at {record}, field at {field}")
             cases += 1
-            expect(run(CHECKER, path).returncode == 1, f"record {index}, field at {field} is not refused")
         for field in range(0, 24, 4):
             image = bytearray(right)
-            struct.pack_into("<I", image, first + 128 * index + field,
-                             struct.unpack_from("<I", image, first + 128 * index + field)[0] ^ 1)
-            write(path, image)
+            struct.pack_into("<I", image, record + field, struct.unpack_from("<I", image, record + field)[0] ^ 1)
+            refused(image, f"{name}: record at {record}, number at {field}")
             cases += 1
-            expect(run(CHECKER, path).returncode == 1, f"record {index}, number at {field} is not refused")
-    image = bytearray(right)
+    return cases
+
+
+def mutations():
+    # Stripped images are short, and checksums cost time here.
+    cases = mutations_of("stripped")
+    draw = random.Random(815)
+    for _ in range(400):
+        if cases >= 1000:
+            break
+        with open(os.path.join(FOLDER, "random.lis"), "w", encoding="utf-8") as file:
+            file.write(random_list(draw))
+        if compiled("short", os.path.join(FOLDER, "random.lis"), "--quiet", "--strip", "--cycle-time", "1ms"):
+            cases += mutations_of("short")
+    expect(cases >= 1000, f"only {cases} mutations")
+    print(f"{cases} mutations")
+
+
+def short_fade():
+    with open(os.path.join(FOLDER, "stripped.axim"), "rb") as file:
+        image = bytearray(file.read())
+    path = os.path.join(FOLDER, "changed.axim")
     banks, _ = section(image, 9)
     struct.pack_into("<I", image, banks + 64 + 36, 20)
     write(path, image)
@@ -173,7 +198,6 @@ def mutations():
     expect(done.returncode == 1 and "change of kernels" in done.stdout, "a fade that is too short", done)
     done = run(AXISC, "certify", path)
     expect(done.returncode == 1, "certify and a fade that is too short", done)
-    print(f"{cases} mutations")
 
 
 def main():
@@ -181,6 +205,7 @@ def main():
     samples()
     random_lists()
     mutations()
+    short_fade()
     print("certificates:", "FAILED" if failures else "all agree")
     return 1 if failures else 0
 

@@ -132,6 +132,19 @@ ExactFilter with_share(ExactFilter filter, double share) {
 
 }  // namespace exact
 
+ExactFilter stored_filter(FilterRecord const& record) {
+  ExactFilter filter{.sections = {},
+                     .delay_cycles = record.delay_cycles,
+                     .is_delay = record.realisation == 2,
+                     .share = record.share};
+  for (SectionRecord const& section : record.sections) {
+    Quad const p = section.p, q = section.q, k = section.k, b = section.b;
+    Quad const a1 = k + b - 2, a2 = 1 - b;
+    filter.sections.push_back({.b0 = 1 + p, .b1 = q - p + a1, .b2 = a2 - q, .a1 = a1, .a2 = a2});
+  }
+  return filter;
+}
+
 ExactChain::ExactChain(std::vector<ExactFilter> filters, Quad position) : filters_(std::move(filters)) {
   Quad signal = position;
   for (ExactFilter const& filter : filters_) {

@@ -48,6 +48,9 @@ namespace exact {
 [[nodiscard]] ExactFilter with_share(ExactFilter filter, double share);
 }  // namespace exact
 
+/// The exact filter of the numbers that an image stores.
+[[nodiscard]] ExactFilter stored_filter(FilterRecord const& record);
+
 /// Runs filters in series, from the steady state for a position.
 class ExactChain {
  public:

@@ -111,20 +111,8 @@ TEST_CASE("the runtime stays within the bound of rounding, whatever the chain", 
     BoundRecord const bound = bound_of(records);
     TestRuntime runtime(write_image(image_of(records)));
     REQUIRE(runtime.status == AXISRT_OK);
-    // The exact filter of the stored numbers.
     std::vector<ExactFilter> stored;
-    for (FilterRecord const& record : records) {
-      ExactFilter filter{.sections = {},
-                         .delay_cycles = record.delay_cycles,
-                         .is_delay = record.realisation == 2,
-                         .share = record.share};
-      for (SectionRecord const& section : record.sections) {
-        Quad const p = section.p, q = section.q, k = section.k, b = section.b;
-        Quad const a1 = k + b - 2, a2 = 1 - b;
-        filter.sections.push_back({.b0 = 1 + p, .b1 = q - p + a1, .b2 = a2 - q, .a1 = a1, .a2 = a2});
-      }
-      stored.push_back(filter);
-    }
+    for (FilterRecord const& record : records) stored.push_back(stored_filter(record));
     double x = 1e6;
     runtime.reset_all(x);
     ExactChain exact(stored, x);
