@@ -74,7 +74,9 @@ std::vector<std::optional<ChainDifference>> compare_chains(ImageSide const& befo
                         .after = new_figures[i],
                         .gains = compare_gains(before.contents, old_axes[i], after.contents, new_axes[i]),
                         .reading_before = readings_of(before.contents, old_axes[i]),
-                        .reading_after = readings_of(after.contents, new_axes[i])};
+                        .reading_after = readings_of(after.contents, new_axes[i]),
+                        .bounds_before = proved_bounds(before.image, static_cast<std::uint32_t>(old_axes[i])),
+                        .bounds_after = proved_bounds(after.image, static_cast<std::uint32_t>(new_axes[i]))};
   }
   return differences;
 }

@@ -3,6 +3,7 @@
 
 #include "image/chain_figures.hpp"
 #include "image/image_contents.hpp"
+#include "image/proved_bounds.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -21,6 +22,7 @@ struct ChainDifference {
   ChainFigures before, after;
   std::vector<GainChange> gains;
   design::Readings reading_before, reading_after;
+  ProvedBounds bounds_before, bounds_after;
 };
 
 /// An image that read_image() accepted.

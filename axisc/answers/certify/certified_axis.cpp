@@ -1,10 +1,10 @@
 #include "axisc/answers/certify/certified_axis.hpp"
 
+#include "axisc/answers/certify/bound_quantity.hpp"
 #include "axisc/answers/labels.hpp"
 #include "axisc/files/image_file.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace axisc::says {
 
@@ -65,21 +65,6 @@ using namespace presentation;
 
 namespace {
 
-/// As many digits of an upper bound, rounded upwards; the last digits of what is stored are so already.
-Quantity shortened(double value, int digits, Unit unit = Unit::none) {
-  if (!(value > 0)) return rounded(value, unit, digits);
-  constexpr double of_storing = 1 - 4e-12;
-  double const step = std::pow(10, std::floor(std::log10(value)) - digits + 1);
-  return rounded(std::ceil(value / step * of_storing) * step, unit, digits);
-}
-
-Quantity shortened_downwards(double value, int digits) {
-  if (!(value > 0)) return rounded(value, Unit::none, digits);
-  constexpr double of_storing = 1 + 4e-12;
-  double const step = std::pow(10, std::floor(std::log10(value)) - digits + 1);
-  return rounded(std::floor(value / step * of_storing) * step, Unit::none, digits);
-}
-
 struct AxisUnits {
   Unit velocity, acceleration;
 };
@@ -97,26 +82,27 @@ Words rest_words(image::BoundRecord const& bound, double final_value, design::Cy
   if (bound.rest_cycles == 0) return says::not_claimed;
   auto const cycles = static_cast<double>(bound.rest_cycles);
   return {final_value == 1 ? says::exact_rest : says::exact_zero,
-          {{"cycles", shortened(cycles, 6, Unit::cycle)},
-           {"time", shortened(cycles * cycle_time.seconds(), 3, Unit::second)}}};
+          {{"cycles", upper_bound(cycles, 6, Unit::cycle)},
+           {"time", upper_bound(cycles * cycle_time.seconds(), 3, Unit::second)}}};
 }
 
 Words arithmetic_words(image::ImageAxis const& axis, image::BoundRecord const& bound) {
   if (!is_bounded(bound)) return says::not_bounded;
   if (axis.velocity_limit > 0) {
     return {says::apart,
-            {{"velocity", shortened(axis.velocity_limit / 1e3, 5, units_of(axis).velocity)},
-             {"error", shortened(bound.limit_error, 2)}}};
+            {{"velocity", upper_bound(axis.velocity_limit / 1e3, 5, units_of(axis).velocity)},
+             {"error", upper_bound(bound.limit_error, 2)}}};
   }
-  return {says::apart_per_increment, {{"error", shortened(bound.rounding_increment, 2)}}};
+  return {says::apart_per_increment, {{"error", upper_bound(bound.rounding_increment, 2)}}};
 }
 
 Words change_words(image::ImageAxis const& axis, image::CheckedChange const& change) {
   auto const [velocity, acceleration] = units_of(axis);
-  return {change.holds ? says::added : says::too_rough,
-          {{"velocity", shortened(change.bound.velocity * axis.velocity_limit / 1e3, 3, velocity)},
-           {"acceleration", shortened(change.bound.acceleration * axis.acceleration_limit, 3, acceleration)},
-           {"cycles", exact(change.bound.cycles, Unit::cycle)}}};
+  return {
+      change.holds ? says::added : says::too_rough,
+      {{"velocity", upper_bound(change.bound.velocity * axis.velocity_limit / 1e3, 3, velocity)},
+       {"acceleration", upper_bound(change.bound.acceleration * axis.acceleration_limit, 3, acceleration)},
+       {"cycles", exact(change.bound.cycles, Unit::cycle)}}};
 }
 
 double final_value(image::ImageAxis const& axis) {
@@ -131,17 +117,17 @@ Facts sentences(image::ImageContents const& image, std::size_t index, image::Bou
   auto const& axis = image.axes[index];
   bool const is_tight = (bound.flags & axim_bound_majorant) == 0;
   Facts facts{
-      {shown(says::stable, Words(says::poles, {{"radius", shortened(bound.radius_high, 9)}})),
-       shown(labels::gain, Words(is_tight ? says::amplified : says::amplified_at_most,
-                                 {{"high", shortened(bound.gain_high, 8)},
-                                  {"low", shortened_downwards(bound.gain_low, 8)}})),
-       shown(labels::overshoot,
-             Words(says::at_most, {{"overshoot", shortened(bound.overshoot_high * 100, 5, Unit::percent)}})),
+      {shown(says::stable, Words(says::poles, {{"radius", upper_bound(bound.radius_high, 9)}})),
+       shown(labels::gain,
+             Words(is_tight ? says::amplified : says::amplified_at_most,
+                   {{"high", upper_bound(bound.gain_high, 8)}, {"low", lower_bound(bound.gain_low, 8)}})),
+       shown(labels::overshoot, Words(says::at_most, {{"overshoot", upper_bound(bound.overshoot_high * 100, 5,
+                                                                                Unit::percent)}})),
        shown(says::arithmetic, arithmetic_words(axis, bound))}};
   if (bound.state_increment > 0) {
-    facts.fields.push_back(
-        shown(says::overflow, Words(says::impossible, {{"increments", shortened(bound.state_increment, 2)},
-                                                       {"positions", shortened(bound.state_position, 2)}})));
+    facts.fields.push_back(shown(
+        says::overflow, Words(says::impossible, {{"increments", upper_bound(bound.state_increment, 2)},
+                                                 {"positions", upper_bound(bound.state_position, 2)}})));
   }
   facts.fields.push_back(shown(says::standstill, rest_words(bound, final_value(axis), image.cycle_time)));
   auto const& change = checked.changes[index];
@@ -149,9 +135,10 @@ Facts sentences(image::ImageContents const& image, std::size_t index, image::Bou
   if (checked.is_in_image && axis.velocity_limit > 0) {
     double const v = axis.velocity_limit / 1e3;
     Unit const unit = units_of(axis).velocity;
-    facts.fields.push_back(shown(
-        says::supervision, Words(says::implausible, {{"limit", shortened((largest_gain + 0.25) * v, 4, unit)},
-                                                     {"velocity", shortened(v, 5, unit)}})));
+    facts.fields.push_back(
+        shown(says::supervision,
+              Words(says::implausible, {{"limit", upper_bound((largest_gain + 0.25) * v, 4, unit)},
+                                        {"velocity", upper_bound(v, 5, unit)}})));
   }
   return facts;
 }
@@ -182,14 +169,14 @@ std::vector<Field> row(image::CheckedBound const& record) {
           data("cycles", exact(bound.cycles)),
           data("gain_low", number(bound.gain_low)),
           data("gain_high", number(bound.gain_high)),
-          shown(labels::gain, shortened(bound.gain_high, 8)),
+          shown(labels::gain, upper_bound(bound.gain_high, 8)),
           data("overshoot_high", number(bound.overshoot_high)),
-          shown(labels::overshoot, shortened(bound.overshoot_high * 100, 4, Unit::percent)),
+          shown(labels::overshoot, upper_bound(bound.overshoot_high * 100, 4, Unit::percent)),
           data("distance_high", number(bound.distance_high)),
-          shown(says::distance, shortened(bound.distance_high, 5, Unit::cycle)),
+          shown(says::distance, upper_bound(bound.distance_high, 5, Unit::cycle)),
           data("radius_high", number(bound.radius_high)),
           data("rounding_increment", number(bound.rounding_increment)),
-          shown(says::roundings, shortened(bound.rounding_increment, 2)),
+          shown(says::roundings, upper_bound(bound.rounding_increment, 2)),
           data("rounding_position", number(bound.rounding_position)),
           data("state_increment", number(bound.state_increment)),
           data("state_position", number(bound.state_position)),

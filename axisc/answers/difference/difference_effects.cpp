@@ -1,3 +1,4 @@
+#include "axisc/answers/certify/bound_quantity.hpp"
 #include "axisc/answers/difference/difference_parts.hpp"
 #include "axisc/answers/dynamics/driven_axis.hpp"
 #include "axisc/answers/execution/path_dynamics.hpp"
@@ -15,6 +16,10 @@ constexpr Sentence settling{"settling time (0.01 %)", "Einschwingzeit (0,01 %)"}
 constexpr Sentence longer{"longer than {time}", "länger als {time}"};
 constexpr Sentence gain{"gain at {frequency}", "Verstärkung bei {frequency}"};
 constexpr Sentence corner{"deviation at a 90° corner, {feed}", "Abweichung an einer 90°-Ecke, {feed}"};
+constexpr Sentence amplified{"proved: no setpoint is amplified more than",
+                             "bewiesen: kein Sollwert wird mehr verstärkt als"};
+constexpr Sentence at_rest{"proved: exactly at rest after", "bewiesen: exakt in Ruhe nach"};
+constexpr Sentence not_proved{"not proved", "nicht bewiesen"};
 constexpr Sentence slope{"slope", "Slope"};
 constexpr Sentence default_slope{"{slope} (default)", "{slope} (Standardwert)"};
 constexpr Sentence with_slope{"{what}, slope {slope}", "{what}, Slope {slope}"};
@@ -42,6 +47,7 @@ Value decibel(double magnitude) {
 /// Figures of one side.
 struct Side {
   image::ChainFigures const& chain;
+  image::ProvedBounds const& bounds;
   design::CycleTime cycle_time;
   double feed;
 
@@ -56,17 +62,27 @@ struct Side {
     return quantity_or({}, corner_deviation_um(chain, feed, cycle_time), Unit::micrometre,
                        Digits::significant(digits));
   }
+  [[nodiscard]] Value amplification() const { return upper_bound(bounds.gain_high, digits); }
+  [[nodiscard]] Value rest() const {
+    if (!bounds.rest_cycles) return Words(says::not_proved);
+    return upper_bound(static_cast<double>(*bounds.rest_cycles) * cycle_time.seconds() * 1e3, digits,
+                       Unit::millisecond);
+  }
   [[nodiscard]] std::vector<Field> data_fields() const {
-    return {data("delay_ms", time(chain.delay_cycles)), data("overshoot_percent", chain.overshoot * 100),
+    return {data("delay_ms", time(chain.delay_cycles)),
+            data("overshoot_percent", chain.overshoot * 100),
             data("settling_ms", chain.settling_cycles ? settling() : Value()),
-            data("corner_deviation_um", corner())};
+            data("corner_deviation_um", corner()),
+            data("gain_high", exact(bounds.gain_high)),
+            data("rest_cycles",
+                 bounds.rest_cycles ? Value(exact(static_cast<double>(*bounds.rest_cycles))) : Value())};
   }
 };
 
 std::pair<Side, Side> sides_of(ShownDifference const& shown, image::ChainDifference const& chain) {
   auto const& [before, after] = std::tie(shown.difference.before, shown.difference.after);
-  return {{chain.before, before.cycle_time, shown.feed_mm_per_min},
-          {chain.after, after.cycle_time, shown.feed_mm_per_min}};
+  return {{chain.before, chain.bounds_before, before.cycle_time, shown.feed_mm_per_min},
+          {chain.after, chain.bounds_after, after.cycle_time, shown.feed_mm_per_min}};
 }
 
 void add_chain(Table& table, ShownDifference const& shown, image::ChainDifference const& chain) {
@@ -86,6 +102,8 @@ void add_chain(Table& table, ShownDifference const& shown, image::ChainDifferenc
   }
   auto const feed = exact(shown.feed_mm_per_min, Unit::millimetre_per_minute);
   rows.push_back({Words(says::corner, {{"feed", feed}}), before.corner(), after.corner()});
+  add_difference(table, says::amplified, before.amplification(), after.amplification());
+  add_difference(table, says::at_rest, before.rest(), after.rest());
 }
 
 /// Units of the axis: of a rotary one ° stands for mm.
