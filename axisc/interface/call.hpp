@@ -13,8 +13,8 @@ void require(bool condition);
 /// That the workspace was opened, and that no pointer is null.
 void require_usable(axisc_workspace const& object, std::initializer_list<void const*> pointers);
 
-/// An axisc_result for the exception that is being handled; its words become the workspace's error. `now`: the
-/// files of the call, where it came to them. Throws where it is cancelled while it looks for them.
+/// An axisc_result for the exception that is being handled; its words become the workspace's error. `now`:
+/// the files of the call, where it came to them. Throws where it is cancelled while it looks for them.
 [[nodiscard]] int result_of_exception(axisc_workspace& object, Now* now);
 
 /// `work(object, now)` gives an axisc_result and fills in its files. `pointers` must not be null; `result` is

@@ -64,8 +64,8 @@ Curve waves(double length) {
   };
 }
 
-/// A meander of arcs of this many mm and degrees, each tangential to the one before it, on alternate sides; with
-/// lines of 0.2 mm between them as tool paths have them.
+/// A meander of arcs of this many mm and degrees, each tangential to the one before it, on alternate sides;
+/// with lines of 0.2 mm between them as tool paths have them.
 Curve meander(double radius, double degrees, bool with_lines) {
   double const sweep = degrees * pi / 180;
   return [=, at = Point{}, heading = -sweep / 2, side = 1.0](std::size_t n) mutable {
