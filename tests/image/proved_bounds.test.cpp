@@ -24,7 +24,7 @@ TEST_CASE("bounds of an axis are the same whether the image stores them or not")
   CHECK(computed.gain_high == stored.gain_high);
   CHECK(computed.overshoot_high == stored.overshoot_high);
   CHECK(computed.rest_cycles == stored.rest_cycles);
-  // A band-stop amplifies more alone than behind a moving average; the axis without filters amplifies nothing.
+  // A band-stop amplifies more alone than behind a moving average.
   CHECK(stored.gain_high > 1.4);
   CHECK(stored.rest_cycles > 40U);
   auto const unfiltered = image::proved_bounds(bytes(with), 1);

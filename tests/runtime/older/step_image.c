@@ -1,5 +1,5 @@
-/* Steps an image by a fixed signal and prints a hash of all outputs' bits: step_image IMAGE. Uses nothing that
-   the first runtime of image format 1.1 did not have. */
+/* Steps an image by a fixed signal and prints a hash of all outputs' bits: step_image IMAGE. Uses nothing
+   that the first runtime of image format 1.1 did not have. */
 #include <axisrt.h>
 #include <math.h>
 #include <stdint.h>
