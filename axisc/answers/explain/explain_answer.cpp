@@ -2,6 +2,7 @@
 
 #include "axisc/answers/explain/explain_parts.hpp"
 #include "axisc/answers/explain/explain_subject.hpp"
+#include "axisc/answers/explain/search_entries.hpp"
 #include "axisc/answers/labels.hpp"
 #include "diagnostics/finding.hpp"
 
@@ -75,6 +76,15 @@ void for_programs(Section& section) {
   section.id.clear();
 }
 
+/// All that can be looked up, for programs.
+Table every_subject(schema::Catalogue const& of_axes) {
+  std::vector<Subject> subjects;
+  for (auto const& entry : search_entries(catalogues_of(of_axes))) subjects.push_back(entry.subject);
+  auto table = subjects_table("hits", subjects);
+  table.audience = Audience::programs;
+  return table;
+}
+
 Document every_code(schema::Catalogue const& of_axes) {
   Rules rules;
   Arrays arrays;
@@ -91,6 +101,7 @@ Document every_code(schema::Catalogue const& of_axes) {
                   .blocks = {Paragraph{says::origin}, index_of(rules)},
                   .csv_table = "rules"};
   std::move(arrays).add_to(answer.blocks);
+  answer.blocks.emplace_back(every_subject(of_axes));
   return answer;
 }
 
