@@ -1,15 +1,16 @@
 # Every folder validator/rules/AXNNNN-name is a rule: rule.cpp with its row and check, its pages en.md and
-# de.md, and the samples that the tests run. Nothing else lists the rules.
+# de.md, its facts.json, and the samples that the tests run. Nothing else lists the rules.
 #
-#   axisc_add_rules(target)    adds the rules to the target, with the table of their rows and the table of
-#                              their pages; both are written again when a folder changes, comes or goes
+#   axisc_add_rules(target)    adds the rules to the target, with the tables of their rows, pages and facts;
+#                              all are written again when a folder changes, comes or goes
 
 include(EmbedPages)
+include(RuleFacts)
 
 function(axisc_add_rules target)
   set(folder "${PROJECT_SOURCE_DIR}/validator/rules")
   # GLOB sorts, so that everything below is in the order of the codes.
-  file(GLOB files CONFIGURE_DEPENDS RELATIVE "${folder}" "${folder}/AX*/rule.cpp" "${folder}/AX*/en.md" "${folder}/AX*/de.md")
+  file(GLOB files CONFIGURE_DEPENDS RELATIVE "${folder}" "${folder}/AX*/rule.cpp" "${folder}/AX*/en.md" "${folder}/AX*/de.md" "${folder}/AX*/facts.json")
   set(rules ${files})
   list(TRANSFORM rules REPLACE "/[^/]*$" "")
   list(REMOVE_DUPLICATES rules)
@@ -17,6 +18,7 @@ function(axisc_add_rules target)
   set(declarations "")
   set(rows "")
   set(pages "")
+  set(facts "")
   set(codes "")
   foreach(rule IN LISTS rules)
     if(NOT rule MATCHES "^AX([1-9][0-9][0-9][0-9])-([a-z0-9-]+)$")
@@ -28,13 +30,14 @@ function(axisc_add_rules target)
       message(FATAL_ERROR "validator/rules/${rule}: another folder has this code")
     endif()
     list(APPEND codes ${code})
-    foreach(file rule.cpp en.md de.md)
+    foreach(file rule.cpp en.md de.md facts.json)
       if(NOT EXISTS "${folder}/${rule}/${file}")
         message(FATAL_ERROR "validator/rules/${rule}: ${file} is missing")
       endif()
     endforeach()
     target_sources(${target} PRIVATE "${folder}/${rule}/rule.cpp")
     list(APPEND pages "${folder}/${rule}/en.md" "${folder}/${rule}/de.md")
+    list(APPEND facts "${folder}/${rule}/facts.json")
     string(APPEND declarations "extern Rule const ax${code};\n")
     string(APPEND rows "    {Code{${code}}, \"${name}\", &checks::ax${code}},\n")
   endforeach()
@@ -68,4 +71,5 @@ ${rows}});
   target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/generated")
 
   axisc_embed_pages(${target} axisc::validator "validator/rules/page_table.hpp" ${pages})
+  axisc_embed_rule_facts(${target} ${facts})
 endfunction()

@@ -60,20 +60,3 @@ TEST_CASE("every rule has a title of its own in both languages: the heading of i
     CHECK(german.insert(title.german).second);
   }
 }
-
-TEST_CASE("rules about filters name the sections of the manuals") {
-  auto const sections = [](std::uint16_t code) {
-    std::vector<std::string> names;
-    for (auto const& section : validator::manual_sections(*validator::find_rule(Code{code}))) {
-      names.emplace_back(section.english);
-    }
-    return names;
-  };
-  using Names = std::vector<std::string>;
-  CHECK(sections(3005) == Names{"Axis filters, section 3.2", "Axis filters, section 3.3"});
-  CHECK(sections(3022) == Names{"FIR filters, section 6.2"});
-  CHECK(sections(5002) == Names{"FIR filters, section 5"});
-  CHECK(sections(3031) == Names{"Improved Position Control, section 4.2"});
-  CHECK(sections(1005).empty());
-  CHECK(sections(2005).empty());
-}

@@ -54,6 +54,23 @@ TEST_CASE("findings cite the control where it has a number") {
   CHECK(said("filter_fir.share 101\n").control == "110632");
   CHECK(said("vib_guard.mode 5\n").control == "110626");
   CHECK(said("filter[0].type LOWPAS\n").control == "2021");
+  CHECK(said("kenngr.distc.low_pass_filter_order 7\n").control == "110664");
+  CHECK(said("getriebe[0].dynamik.tr_min 2000\ngetriebe[0].dynamik.tr_geom 1000\n").control == "110276");
+  CHECK(said("conv_sync.order_v_filter 1001\n").control == "50607");
+  // The control's text names the lower end alone.
+  CHECK(said("filter[0].guete 11\n").control.empty());
+  // Nothing is known of other parameters.
+  CHECK(said("kenngr.gantry_max_homing_dist -1\n").control.empty());
+}
+
+TEST_CASE("orders of conveyor tracking that must be even") {
+  auto const odd = said("conv_sync.order_v_filter 21\n");
+  CHECK(odd.message == "`conv_sync.order_v_filter` must be even");
+  CHECK(odd.control == "50608");
+  CHECK(odd.help == "the nearest values allowed are `20` and `22`");
+  CHECK(said("conv_sync.order_pos_filter 9\n").control == "50605");
+  CHECK(Checked("conv_sync.order_pos_filter 8\nconv_sync.order_v_filter 0\n").found().empty());
+  CHECK(Checked("conv_sync.order_v_filter 1001\n").found() == Lines{"1:26 AX2005"});
 }
 
 TEST_CASE("what is written is quoted as it is written") {

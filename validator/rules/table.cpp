@@ -1,6 +1,7 @@
 // The table of all rules, from the folders next to this file.
 #include "rule_folders.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/engine/rule_facts.hpp"
 #include "validator/engine/rule_title.hpp"
 #include "validator/rules/page_table.hpp"
 
@@ -51,6 +52,10 @@ std::size_t number_of(Rule const& rule) {
 
 Page const& page(Rule const& rule) {
   return page_table()[number_of(rule)];
+}
+
+RuleFacts const& facts(Rule const& rule) {
+  return facts_table()[number_of(rule)];
 }
 
 Page const& title(Rule const& rule) {

@@ -1,9 +1,9 @@
 #include "axisc/answers/explain/explain_answer.hpp"
 
+#include "axisc/answers/explain/explain_index.hpp"
 #include "axisc/answers/explain/explain_parts.hpp"
 #include "axisc/answers/explain/explain_subject.hpp"
 #include "axisc/answers/explain/search_entries.hpp"
-#include "axisc/answers/labels.hpp"
 #include "diagnostics/finding.hpp"
 
 #include <cstddef>
@@ -13,14 +13,17 @@
 namespace axisc::says {
 
 constexpr Sentence rules{"Rules", "Regeln"};
-constexpr Sentence origin{"Every code that axisc reports, as printed by `axisc explain --all`.",
-                          "Alle Codes, die axisc meldet, wie `axisc explain --all --lang de` sie ausgibt."};
+constexpr Sentence origin{
+    "Every code that axisc reports, as printed by `axisc explain --all`: first by what is seen at the "
+    "machine, "
+    "by parameter, by message of the control and by code, then the page of each.",
+    "Alle Codes, die axisc meldet, wie `axisc explain --all --lang de` sie ausgibt: zuerst nach dem, was an "
+    "der "
+    "Maschine zu sehen ist, nach Parameter, nach Meldung der Steuerung und nach Code, dann die Seite zu "
+    "jedem."};
 constexpr Sentence hits{"Found for \"{word}\"", "Gefunden zu „{word}“"};
 constexpr Sentence more{"More with \"{word}\" in the name:", "Weitere mit „{word}“ im Namen:"};
 constexpr Sentence read_as{"\"{word}\" was read as \"{meant}\".", "„{word}“ wurde als „{meant}“ gelesen."};
-constexpr Sentence code{"code", "Code"};
-constexpr Sentence severity{"severity", "Schweregrad"};
-constexpr Sentence control{"message of the control", "Meldung der Steuerung"};
 
 }  // namespace axisc::says
 
@@ -29,20 +32,6 @@ namespace axisc {
 using namespace presentation;
 
 namespace {
-
-using Rules = std::vector<validator::Rule const*>;
-
-/// Every code leads to its page, which follows.
-Table index_of(Rules const& rules) {
-  Table table{.key = {}, .audience = Audience::people};
-  for (auto const* const rule : rules) {
-    auto code = code_text(rule->code);
-    add_row(table,
-            {shown(says::code, Link{.text = code, .id = code}), shown(labels::name, rule->name),
-             shown(says::severity, severity_symbol(rule->severity)), shown(says::control, rule->control)});
-  }
-  return table;
-}
 
 /// A part that people see alone gives the document its title.
 Words take_title(Section& part) {
@@ -86,20 +75,15 @@ Table every_subject(schema::Catalogue const& of_axes) {
 }
 
 Document every_code(schema::Catalogue const& of_axes) {
-  Rules rules;
   Arrays arrays;
-  for (auto const& rule : validator::rules()) {
-    rules.push_back(&rule);
-    arrays.rules.items.push_back(rule_section(rule));
-  }
+  for (auto const& rule : validator::rules()) arrays.rules.items.push_back(rule_section(rule));
   for (auto const& parameter : of_axes.parameters()) {
     arrays.parameters.items.push_back(parameter_section(of_axes, parameter));
     for_programs(arrays.parameters.items.back());
   }
-  Document answer{.version = 3,
-                  .title = says::rules,
-                  .blocks = {Paragraph{says::origin}, index_of(rules)},
-                  .csv_table = "rules"};
+  Document answer{
+      .version = 3, .title = says::rules, .blocks = {Paragraph{says::origin}}, .csv_table = "rules"};
+  for (auto& way : rule_index(of_axes)) answer.blocks.push_back(std::move(way));
   std::move(arrays).add_to(answer.blocks);
   answer.blocks.emplace_back(every_subject(of_axes));
   return answer;

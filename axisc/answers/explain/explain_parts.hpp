@@ -28,6 +28,9 @@ namespace axisc {
 [[nodiscard]] presentation::Table subjects_table(std::string key, std::span<Subject const> subjects);
 [[nodiscard]] std::vector<Subject> subjects_of(std::span<Hit const> hits);
 
+/// The version of axisc that had the rule first.
+[[nodiscard]] presentation::Value version_of(validator::Rule const& rule);
+
 /// The first sentence of a page, without emphasis.
 [[nodiscard]] Wording first_sentence(Page const& page);
 

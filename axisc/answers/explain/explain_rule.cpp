@@ -1,6 +1,8 @@
 #include "axisc/answers/explain/explain_answer.hpp"
+#include "axisc/answers/explain/explain_parts.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/sentences.hpp"
+#include "validator/engine/rule_facts.hpp"
 #include "validator/engine/rule_title.hpp"
 
 namespace axisc::says {
@@ -8,8 +10,13 @@ namespace axisc::says {
 constexpr Sentence severity_and_control{"{severity}, {control}: {messages}",
                                         "{severity}, {control}: {messages}"};
 constexpr Sentence rule_title{"{title}.", "{title}."};
-constexpr Sentence source{"manual", "Handbuch"};
+constexpr Sentence exceptions{"**Exceptions:** {text}", "**Ausnahmen:** {text}"};
+constexpr Sentence source{"source", "Quelle"};
 constexpr Sentence source_list{"{first}; {next}", "{first}; {next}"};
+constexpr Sentence reading{"our reading", "unsere Lesart"};
+constexpr Sentence own{"our own rule", "unsere eigene Regel"};
+constexpr Sentence since{"since", "seit"};
+constexpr Sentence unreleased{"not yet released", "noch nicht veröffentlicht"};
 
 }  // namespace axisc::says
 
@@ -20,13 +27,30 @@ using namespace presentation;
 namespace {
 
 /// "Axis filters, section 3.2; FIR filters, section 6.2".
-Value sources_of(validator::Rule const& rule) {
+Value sources_of(validator::RuleFacts const& facts) {
   Value all;
-  for (auto const& section : validator::manual_sections(rule)) {
-    Wording const one(section);
+  for (auto const source : facts.sources) {
+    auto const one = validator::source_text(source);
     all = all.is_nothing() ? Value(one) : Value(Words(says::source_list, {{"first", all}, {"next", one}}));
   }
   return all;
+}
+
+Value text_of(Page const& page) {
+  return page.english.empty() ? Value() : Value(Wording(page));
+}
+
+void add_facts(Section& section, validator::Rule const& rule) {
+  auto const& facts = validator::facts(rule);
+  auto const exceptions = text_of(facts.exceptions);
+  if (!exceptions.is_nothing()) {
+    section.blocks.emplace_back(Paragraph{Words(says::exceptions, {{"text", exceptions}})});
+  }
+  section.blocks.emplace_back(Facts{{data("exceptions", exceptions),
+                                     {"source", says::source, sources_of(facts)},
+                                     {"reading", says::reading, text_of(facts.reading)},
+                                     {"own_rule", says::own, text_of(facts.own)},
+                                     {"since", says::since, version_of(rule)}}});
 }
 
 }  // namespace
@@ -53,16 +77,23 @@ Section rule_section(validator::Rule const& rule) {
               {"messages", Words(several ? axisc::says::control_messages : axisc::says::control_message,
                                  {{"number", rule.control}})}}};
   }
-  return {.key = {},
-          .title = as_given(code + " " + std::string(rule.name)),
-          .blocks = {Paragraph{Words(says::rule_title, {{"title", Wording(title(rule))}})},
-                     Paragraph{std::move(facts)}, Prose{.key = "page", .markdown = Wording(page(rule))},
-                     Facts{{{"manual", says::source, sources_of(rule)}}}},
-          .identity = {data("code", code), data("name", rule.name), data("title", Wording(title(rule))),
-                       data("severity", severity),
-                       data("control", rule.control.empty() ? Value() : Value(rule.control)),
-                       data("needs_cycle_time", rule.needs == validator::Needs::cycle_time)},
-          .id = code};
+  Section section{
+      .key = {},
+      .title = as_given(code + " " + std::string(rule.name)),
+      .blocks = {Paragraph{Words(says::rule_title, {{"title", Wording(title(rule))}})},
+                 Paragraph{std::move(facts)}, Prose{.key = "page", .markdown = Wording(page(rule))}},
+      .identity = {data("code", code), data("name", rule.name), data("title", Wording(title(rule))),
+                   data("severity", severity),
+                   data("control", rule.control.empty() ? Value() : Value(rule.control)),
+                   data("needs_cycle_time", rule.needs == validator::Needs::cycle_time)},
+      .id = code};
+  add_facts(section, rule);
+  return section;
+}
+
+Value version_of(validator::Rule const& rule) {
+  auto const version = validator::facts(rule).since;
+  return version == "unreleased" ? Value(Symbol{version, says::unreleased}) : Value(version);
 }
 
 }  // namespace axisc

@@ -2,11 +2,13 @@
 
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/helpers.hpp"
+#include "validator/rules/range_reactions.hpp"
 #include "validator/views/units_text.hpp"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <string_view>
 
 namespace axisc::validator::says {
 
@@ -15,11 +17,9 @@ constexpr Sentence parameter_value_in_unit{"this is {value}", "das sind {value}"
 constexpr Sentence headline{"`{parameter}` is out of range: {range}",
                             "`{parameter}` liegt außerhalb des Bereichs: {range}"};
 constexpr Sentence raw{"as written in the list: {range}", "in der Schreibweise der Liste: {range}"};
-constexpr Sentence reports{"it reports the value; what it continues with is not documented",
-                           "sie meldet den Wert; womit sie weiterarbeitet, ist nicht dokumentiert"};
-constexpr Sentence corrects{"it corrects the value", "sie korrigiert den Wert"};
-constexpr Sentence switches_off{"it switches Improved Position Control of the axis off",
-                                "sie schaltet die optimierte Lageregelung der Achse ab"};
+constexpr Sentence odd{"`{parameter}` must be even", "`{parameter}` muss gerade sein"};
+constexpr Sentence even{"the nearest values allowed are `{below}` and `{above}`",
+                        "die nächsten zulässigen Werte sind `{below}` und `{above}`"};
 constexpr Sentence nearest{"the nearest value allowed is `{value}`",
                            "der nächste zulässige Wert ist `{value}`"};
 constexpr Sentence file{"limit from {file}", "Grenze aus {file}"};
@@ -39,40 +39,25 @@ bool is_wrong(schema::Parameter const& parameter, double value) {
          !is_default_or_off(parameter, value);
 }
 
-struct Reaction {
-  std::uint16_t p_axis;
-  std::string_view message;  ///< number
-  Sentence const& sentence;
-};
+bool is_below(schema::Parameter const& parameter, double value) {
+  schema::Limit const& minimum = parameter.minimum;
+  return minimum.kind == schema::Limit::Kind::number && value <= minimum.number;
+}
 
-constexpr std::array reactions{
-    Reaction{80, "110490", says::reports},      Reaction{164, "110240", says::reports},
-    Reaction{351, "110496", says::reports},     Reaction{568, "110627", says::corrects},
-    Reaction{571, "110626", says::corrects},    Reaction{585, "110633", says::reports},
-    Reaction{590, "110632", says::reports},     Reaction{593, "110637", says::reports},
-    Reaction{750, "70593", says::reports},      Reaction{751, "70592", says::reports},
-    Reaction{752, "70594", says::reports},      Reaction{754, "70603", says::switches_off},
-    Reaction{755, "70604", says::switches_off}, Reaction{757, "70606", says::reports}};
-
-void say_reaction(Finding& finding, schema::Parameter const& parameter) {
-  auto const* const known = std::find_if(reactions.begin(), reactions.end(), [&](Reaction const& reaction) {
-    return reaction.p_axis == parameter.p_axis;
-  });
-  if (known == reactions.end()) return;
-  set_reaction(finding, known->sentence);
-  finding.control->message = known->message;
+void say_reaction(Finding& finding, schema::Parameter const& parameter, double value) {
+  say_range_reaction(finding, range_reactions, parameter,
+                     is_below(parameter, value) ? Demand::minimum : Demand::maximum);
 }
 
 /// The value of the range that is nearest to one outside; none where a limit itself is not allowed, and reals
 /// come as near to it as one likes.
 std::optional<double> nearest_allowed(schema::Parameter const& parameter, double value) {
-  schema::Limit const& minimum = parameter.minimum;
-  bool const is_below = minimum.kind == schema::Limit::Kind::number && value <= minimum.number;
-  schema::Limit const& limit = is_below ? minimum : parameter.maximum;
+  bool const from_below = is_below(parameter, value);
+  schema::Limit const& limit = from_below ? parameter.minimum : parameter.maximum;
   if (limit.kind != schema::Limit::Kind::number) return std::nullopt;
   if (!limit.open) return limit.number;
   if (!schema::is_integer(parameter.type)) return std::nullopt;
-  return limit.number + (is_below ? 1 : -1);
+  return limit.number + (from_below ? 1 : -1);
 }
 
 void say_nearest(Finding& finding, schema::Parameter const& parameter, double value) {
@@ -84,9 +69,9 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, d
   schema::Parameter const& parameter = context.values.row(slot);
   name_parameter(finding, parameter, slot);
   std::string_view const unit = unit_of(parameter, context.type);
+  say_reaction(finding, parameter, value);
   finding.message = message_of(says::headline, Argument{"parameter", finding.parameter},
                                Argument{"range", range_text(parameter, unit, true)});
-  say_reaction(finding, parameter);
   if (!unit.empty()) {
     finding.label = message_of(says::parameter_value_in_unit, Argument{"value", physical(value, unit)});
   }
@@ -106,6 +91,7 @@ void describe_line(Finding& finding, Line const& line) {
   Wording const range = range_text(*line_value.row, {}, false);
   finding.message =
       message_of(says::headline, Argument{"parameter", finding.parameter}, Argument{"range", range});
+  say_reaction(finding, *line_value.row, line_value.value.number);
   say_nearest(finding, *line_value.row, line_value.value.number);
 }
 
@@ -118,7 +104,25 @@ void out_of_range_in_list(ListContext const& context, Report& report) {
   });
 }
 
+/// Orders of the filters of conveyor tracking, of which only even ones are allowed.
+constexpr std::array<std::string_view, 2> even_numbers{"conv_sync.order_pos_filter",
+                                                       "conv_sync.order_v_filter"};
+
+void odd_numbers(AxisContext const& context, Report& report) {
+  for (std::string_view const name : even_numbers) {
+    EffectiveValue const& value = context.values.at(name);
+    double const number = value.value.number;
+    if (value.unusable || !value.value_place() || std::fmod(number, 2) == 0) continue;
+    if (is_wrong(*value.row, number)) continue;
+    Finding& finding = report.add(value, message_of(says::odd, Argument{"parameter", parameter_name(value)}));
+    say_range_reaction(finding, range_reactions, *value.row, Demand::even);
+    finding.help.push_back(message_of(says::even, Argument{"below", exact_number(number - 1)},
+                                      Argument{"above", exact_number(number + 1)}));
+  }
+}
+
 void out_of_range(AxisContext const& context, Report& report) {
+  odd_numbers(context, report);
   for_each_doubtful(context, [&](AxisLine const& line) {
     LineValue const& line_value = line.line_value();
     if (!line_value.known() || line_value.status != ReadingStatus::value) return;
@@ -142,6 +146,7 @@ void out_of_range(AxisContext const& context, Report& report) {
 }  // namespace
 
 extern constinit Rule const ax2005{
+    .control = messages_of<range_reactions>,
     .about =
         [](schema::Parameter const& parameter) {
           return schema::is_number(parameter.type) &&

@@ -2,6 +2,7 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
+#include "validator/rules/range_reactions.hpp"
 #include "validator/views/units_text.hpp"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ constexpr Sentence related{"the limit is set here: {limit}", "hier wird die Gren
 constexpr Sentence limit_by_parameter_default{
     "no list sets `{limit}` ({p_axis}): its default {value} applies",
     "keine Liste setzt `{limit}` ({p_axis}): es gilt der Standardwert {value}"};
+constexpr Sentence help{"correct `{parameter}`, or its limit `{limit}`",
+                        "`{parameter}` oder die Grenze `{limit}` berichtigen"};
 
 }  // namespace axisc::validator::says
 
@@ -102,6 +105,9 @@ void add(AxisContext const& context, Report& report, Slot slot, Violation const&
       value, message(says::headline,
                      {{"parameter", parameter_name(value)}, {"relation", sign}, {"limit", limit_name}}));
   finding.label = message(says::label, {{"value", own_value}, {"relation", sign}, {"limit", limit_value}});
+  finding.help.push_back(message(says::help, {{"parameter", parameter_name(value)}, {"limit", limit_name}}));
+  say_range_reaction(finding, limit_reactions, *value.row,
+                     violation.side == Side::minimum ? Demand::minimum : Demand::maximum);
   if (limit.value_place()) {
     finding.related.push_back(
         {.place = *limit.value_place(), .message = message(says::related, {{"limit", limit_value}})});
@@ -165,6 +171,9 @@ void limit_in_list(ListContext const& context, Report& report) {
                      message(says::headline, {{"parameter", schema::slot_name(parameter, *slot)},
                                               {"relation", sign},
                                               {"limit", schema::slot_name(row, other)}}));
+      finding.control.reset();
+      finding.help.push_back(message(says::help, {{"parameter", schema::slot_name(parameter, *slot)},
+                                                  {"limit", schema::slot_name(row, other)}}));
       finding.label =
           message(says::label, {{"value", text_of(line)}, {"relation", sign}, {"limit", text_of(*limiting)}});
       finding.related.push_back({.place = place_of(context, context.list.tree.assignments[*limiting].value),
@@ -185,6 +194,7 @@ bool is_about(schema::Parameter const& parameter) {
 }  // namespace
 
 extern constinit Rule const ax2015{
+    .control = messages_of<limit_reactions>,
     .about = is_about,
     .precedence = Precedence::before_family,
     .check = limit_by_parameter,

@@ -18,7 +18,7 @@ constexpr Sentence limit_unknown{
     "wie lang ein Vibration Guard sein darf, ist nicht dokumentiert; FIR-Filter enden bei {limit} Zyklen "
     "(eine Lesart)"};
 constexpr Sentence too_long{"axisc compiles guards of up to {limit} cycles",
-                            "axisc übersetzt Vibration Guards bis {limit} Zyklen"};
+                            "axisc kompiliert Vibration Guards bis {limit} Zyklen"};
 constexpr Sentence lowest{"in mode {mode} {frequency} Hz or more come within {limit} cycles",
                           "in Modus {mode} kommen {frequency} Hz und mehr mit {limit} Zyklen aus"};
 constexpr Sentence reaction{
