@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <variant>
@@ -285,6 +286,20 @@ TEST_CASE("the parameters that rules name are in the catalogue") {
       INFO(folder_of(rule) << ": " << word);
       CHECK(std::any_of(rows.begin(), rows.end(),
                         [&](auto const& row) { return validator::looks_at(alone, row); }));
+    }
+  }
+}
+
+// A finding without help and fix is one whose message, label or note states what is allowed.
+TEST_CASE("every finding says what to write instead") {
+  std::set<std::uint16_t> const stated = {2002, 2003, 2004, 2005, 2007, 3037, 4020, 5001, 5002, 5012, 8002};
+  for (validator::Rule const& rule : validator::rules()) {
+    if (!has_sample(rule)) continue;
+    auto const number = static_cast<std::uint16_t>(rule.code);
+    for (auto const& finding : findings_of(read_sample(rule, "fail"))) {
+      if (finding.code != rule.code || stated.contains(number)) continue;
+      INFO(folder_of(rule) << ": " << render(finding.message, Language::english));
+      CHECK((!finding.help.empty() || finding.fix.has_value()));
     }
   }
 }

@@ -1,5 +1,5 @@
-// What the control says of a single parameter that is out of its range, where that is documented or known from
-// the texts of its messages.
+// What the control says of a single parameter that is out of its range, where that is documented or known
+// from the texts of its messages.
 #pragma once
 
 #include "validator/rules/helpers.hpp"

@@ -5,10 +5,15 @@
 #include "validator/engine/rule_facts.hpp"
 #include "validator/engine/rule_title.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace axisc::says {
 
 constexpr Sentence severity_and_control{"{severity}, {control}: {messages}",
                                         "{severity}, {control}: {messages}"};
+constexpr Sentence severity_and_many{"{severity}, control: one of {count} messages, by the parameter",
+                                     "{severity}, Steuerung: je nach Parameter eine von {count} Meldungen"};
 constexpr Sentence rule_title{"{title}.", "{title}."};
 constexpr Sentence exceptions{"**Exceptions:** {text}", "**Ausnahmen:** {text}"};
 constexpr Sentence source{"source", "Quelle"};
@@ -53,6 +58,22 @@ void add_facts(Section& section, validator::Rule const& rule) {
                                      {"since", says::since, version_of(rule)}}});
 }
 
+/// "error, control: message 50663". Many numbers are in the index and in the findings alone.
+Words severity_and_messages(validator::Rule const& rule) {
+  constexpr std::ptrdiff_t most_shown = 12;
+  auto const severity = severity_symbol(rule.severity);
+  if (rule.control.empty()) return severity.words;
+  auto const slashes = std::count(rule.control.begin(), rule.control.end(), '/');
+  if (slashes >= most_shown) {
+    return {says::severity_and_many, {{"severity", severity}, {"count", slashes + 1}}};
+  }
+  return {says::severity_and_control,
+          {{"severity", severity},
+           {"control", Words(says::word_control)},
+           {"messages", Words(slashes > 0 ? says::control_messages : says::control_message,
+                              {{"number", rule.control}})}}};
+}
+
 }  // namespace
 
 Symbol severity_symbol(Severity severity) {
@@ -67,23 +88,14 @@ Symbol severity_symbol(Severity severity) {
 
 Section rule_section(validator::Rule const& rule) {
   auto const code = code_text(rule.code);
-  auto const severity = severity_symbol(rule.severity);
-  bool const several = rule.control.find('/') != std::string_view::npos;
-  Words facts = severity.words;
-  if (!rule.control.empty()) {
-    facts = {says::severity_and_control,
-             {{"severity", severity},
-              {"control", Words(says::word_control)},
-              {"messages", Words(several ? axisc::says::control_messages : axisc::says::control_message,
-                                 {{"number", rule.control}})}}};
-  }
   Section section{
       .key = {},
       .title = as_given(code + " " + std::string(rule.name)),
       .blocks = {Paragraph{Words(says::rule_title, {{"title", Wording(title(rule))}})},
-                 Paragraph{std::move(facts)}, Prose{.key = "page", .markdown = Wording(page(rule))}},
+                 Paragraph{severity_and_messages(rule)},
+                 Prose{.key = "page", .markdown = Wording(page(rule))}},
       .identity = {data("code", code), data("name", rule.name), data("title", Wording(title(rule))),
-                   data("severity", severity),
+                   data("severity", severity_symbol(rule.severity)),
                    data("control", rule.control.empty() ? Value() : Value(rule.control)),
                    data("needs_cycle_time", rule.needs == validator::Needs::cycle_time)},
       .id = code};

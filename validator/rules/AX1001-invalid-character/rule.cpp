@@ -20,6 +20,8 @@ constexpr Sentence undefined{"the byte {character} is not a character, neither i
 constexpr Sentence unusual{"{character} in a name or value", "{character} in einem Namen oder Wert"};
 constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 constexpr Sentence remove{"remove it", "es entfernen"};
+constexpr Sentence help{"delete it, or save the file again as UTF-8 or windows-1252",
+                        "es löschen, oder die Datei neu als UTF-8 oder windows-1252 speichern"};
 
 }  // namespace axisc::validator::says
 
@@ -39,6 +41,7 @@ void describe(Finding& finding, ListContext const& context, grammar::Problem con
                             : byte < 0x80 ? hexadecimal("U+%04X", byte)
                                           : "U+0080";
   finding.message = message(undefined ? says::undefined : says::headline, {{"character", shown}});
+  finding.help.push_back(message(says::help));
 }
 
 /// Calls `visit(character, span)` for the characters of a token that look like others.

@@ -12,6 +12,9 @@ constexpr Sentence sign{"no `{sign}` between name and value", "kein `{sign}` zwi
 constexpr Sentence sign_fix{"write a blank instead", "stattdessen ein Leerzeichen schreiben"};
 constexpr Sentence reaction{"it ignores the line", "sie übergeht die Zeile"};
 constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
+constexpr Sentence help{
+    "put `#` in front of a comment; write an assignment as name, blank, value",
+    "vor einen Kommentar `#` setzen; eine Zuweisung als Name, Leerzeichen, Wert schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -56,7 +59,10 @@ void describe(Finding& finding, ListContext const& context, grammar::Problem con
   }
   finding.message = message(says::headline);
   set_reaction(finding, says::reaction);
-  if (!opens_foreign_comment(context.source.slice(problem.span))) return;
+  if (!opens_foreign_comment(context.source.slice(problem.span))) {
+    finding.help.push_back(message(says::help));
+    return;
+  }
   Span const before{.begin = problem.span.begin, .end = problem.span.begin};
   finding.fix = replace_by(place_of(context, before), "# ", message(says::fix), FixSafety::safe);
 }

@@ -10,6 +10,7 @@ constexpr Sentence headline{"`{value}` has a decimal comma", "`{value}` hat ein 
 constexpr Sentence reaction{"it expects a decimal point and would read a different number",
                             "sie erwartet einen Dezimalpunkt und würde eine andere Zahl lesen"};
 constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
+constexpr Sentence whole{"the parameter takes whole numbers only", "der Parameter nimmt nur ganze Zahlen an"};
 
 }  // namespace axisc::validator::says
 
@@ -33,7 +34,10 @@ void describe(Finding& finding, Line const& line) {
   finding.message = message_of(says::headline, Argument{"value", value});
   set_reaction(finding, says::reaction);
   std::string const number = repaired(value, line.line_value());
-  if (number.empty()) return;
+  if (number.empty()) {
+    finding.help.push_back(message(says::whole));
+    return;
+  }
   finding.fix =
       replace_by(line.place(written), number, message_of(says::fix, Argument{"replacement", number}));
 }

@@ -15,6 +15,8 @@ constexpr Sentence leading_zero_reaction{"it rejects numbers with a leading zero
 constexpr Sentence exponent_reaction{"it rejects the exponent", "sie weist den Exponenten zurück"};
 constexpr Sentence blank{"insert a blank before `(`", "ein Leerzeichen vor `(` einfügen"};
 constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
+constexpr Sentence help{"write a decimal number such as `40` or `0.5`, or a hexadecimal one such as `0x1F`",
+                        "eine Dezimalzahl wie `40` oder `0.5` schreiben, oder eine hexadezimale wie `0x1F`"};
 
 }  // namespace axisc::validator::says
 
@@ -89,7 +91,10 @@ void describe(Finding& finding, Line const& line) {
   }
   std::string const shorter =
       status == schema::NumberStatus::leading_zero ? without_leading_zeros(value) : without_unit(line, value);
-  if (!schema::is_complete_number(shorter)) return;
+  if (!schema::is_complete_number(shorter)) {
+    finding.help.push_back(message(says::help));
+    return;
+  }
   finding.fix = replace_by(line.place(line.assignment().value), shorter,
                            message(says::fix, {{"replacement", shorter}}));
 }

@@ -10,6 +10,8 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"the comment names {named}, but `{parameter}` is {own}",
                             "der Kommentar nennt {named}, `{parameter}` ist aber {own}"};
 constexpr Sentence note{"{named} is `{name}`", "{named} ist `{name}`"};
+constexpr Sentence help{"correct the comment, or the name if the comment is right",
+                        "den Kommentar berichtigen, oder den Namen, wenn der Kommentar stimmt"};
 
 }  // namespace axisc::validator::says
 
@@ -66,6 +68,7 @@ void describe(Finding& finding, Line const& line) {
   std::string const named = line.text(first.span);
   finding.message =
       message(says::headline, {{"named", named}, {"parameter", line.name()}, {"own", own_number(line)}});
+  finding.help.push_back(message(says::help));
   if (first.number > UINT16_MAX) return;
   schema::Catalogue const& catalogue = line.context.list.catalogue;
   for (schema::ParameterId const id : catalogue.find_number(static_cast<std::uint16_t>(first.number))) {

@@ -9,6 +9,8 @@ constexpr Sentence headline{"the quotation mark is not closed on this line",
                             "das Anführungszeichen wird in dieser Zeile nicht geschlossen"};
 constexpr Sentence fix{"close the quotation mark at the end of the line",
                        "das Anführungszeichen am Zeilenende schließen"};
+constexpr Sentence help{"write `\"` at the end of the text, before the comment",
+                        "am Ende des Textes, vor dem Kommentar, `\"` schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -18,7 +20,10 @@ namespace {
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
   finding.message = message(says::headline);
   // With a comment on the line the intended end of the string is unknown.
-  if (context.source.slice(problem.span).find_first_of("(#*") != std::string_view::npos) return;
+  if (context.source.slice(problem.span).find_first_of("(#*") != std::string_view::npos) {
+    finding.help.push_back(message(says::help));
+    return;
+  }
   Span const behind{.begin = problem.span.end, .end = problem.span.end};
   finding.fix = replace_by(place_of(context, behind), "\"", message(says::fix));
 }

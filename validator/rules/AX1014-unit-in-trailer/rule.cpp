@@ -13,6 +13,7 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"`{parameter}` is in {unit}, not in {written}",
                             "`{parameter}` gilt in {unit}, nicht in {written}"};
 constexpr Sentence reaction{"it ignores the unit", "sie übergeht die Einheit"};
+constexpr Sentence help{"write the number in {unit}", "die Zahl in {unit} schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -62,7 +63,10 @@ void describe(Finding& finding, Line const& line) {
   std::string const number = unit.ratio ? converted_number(line.line_value().value.number, *unit.ratio,
                                                            schema::is_integer(line.line_value().row->type))
                                         : std::string();
-  if (number.empty()) return;
+  if (number.empty()) {
+    finding.help.push_back(message(says::help, {{"unit", raw_unit_name(unit.unit)}}));
+    return;
+  }
   // The written value stays readable, as a comment.
   finding.fix = replace_by(line.place({.begin = value.begin, .end = value.begin}), number + " ( ",
                            message(says::parameter_fix, {{"replacement", number}}));

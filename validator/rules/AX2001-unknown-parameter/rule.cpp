@@ -11,6 +11,10 @@ constexpr Sentence headline{"unknown parameter `{name}`", "unbekannter Parameter
 constexpr Sentence former_name{"`{name}` is a former name of `{suggestion}`",
                                "`{name}` ist ein früherer Name von `{suggestion}`"};
 constexpr Sentence reaction{"it ignores the line", "sie übergeht die Zeile"};
+constexpr Sentence help{
+    "correct the name; a parameter of a newer build can be described in a schema file (`--schema`)",
+    "den Namen berichtigen; einen Parameter eines neueren Stands kann eine Schemadatei beschreiben "
+    "(`--schema`)"};
 
 }  // namespace axisc::validator::says
 
@@ -27,7 +31,12 @@ void describe(Finding& finding, Line const& line) {
   finding.message = message_of(says::headline, Argument{"name", finding.parameter});
   set_reaction(finding, says::reaction);
   auto const& suggestions = line.context.list.line_values.suggestions(line.number);
-  if (suggestions.names.empty() || is_numbered_elsewhere(line)) return;
+  if (suggestions.names.empty() || is_numbered_elsewhere(line)) {
+    if (line.context.list.kind == configuration::ListKind::axis) {
+      finding.help.push_back(message(says::help));
+    }
+    return;
+  }
   std::string const& best = suggestions.names.front();
   if (suggestions.is_former_name) {
     finding.notes.push_back(

@@ -17,6 +17,7 @@ constexpr Sentence superfluous{"`{parameter}` is not an array and takes no index
 constexpr Sentence related{"here too", "hier ebenso"};
 constexpr Sentence reaction{"the entry is lost, start-up continues",
                             "der Eintrag geht verloren, der Hochlauf geht weiter"};
+constexpr Sentence help{"write its index: `{example}`", "seinen Index schreiben: `{example}`"};
 
 }  // namespace axisc::validator::says
 
@@ -60,6 +61,16 @@ std::string written_index(std::string_view name, std::size_t position) {
   return std::string(name.substr(0, name.find(']')));
 }
 
+/// `filter[0].order` of `filter[].order`.
+std::string with_first_entries(std::string_view pattern) {
+  std::string name;
+  for (char const character : pattern) {
+    name += character;
+    if (character == '[') name += '0';
+  }
+  return name;
+}
+
 void describe(Finding& finding, Line const& line) {
   using Status = schema::NameLookup::Status;
   Span const written = line.assignment().name;
@@ -73,6 +84,9 @@ void describe(Finding& finding, Line const& line) {
   } else {
     finding.message = message(name.status == Status::index_missing ? says::missing : says::superfluous,
                               {{"parameter", pattern}});
+    if (name.status == Status::index_missing) {
+      finding.help.push_back(message(says::help, {{"example", with_first_entries(pattern)}}));
+    }
   }
   set_reaction(finding, says::reaction);
   relate_block(finding, line);

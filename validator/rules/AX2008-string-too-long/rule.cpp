@@ -10,6 +10,7 @@ constexpr Sentence headline{"the text has {length} characters, `{parameter}` hol
                             "der Text hat {length} Zeichen, `{parameter}` fasst {limit}"};
 constexpr Sentence reaction{"it reports the text as too long, start-up continues",
                             "sie meldet den Text als zu lang, der Hochlauf geht weiter"};
+constexpr Sentence help{"shorten it to {limit} characters", "auf {limit} Zeichen kürzen"};
 
 }  // namespace axisc::validator::says
 
@@ -27,6 +28,7 @@ void describe(Finding& finding, Line const& line) {
                                              {"parameter", line.name()},
                                              {"limit", std::to_string(line.line_value().row->max_length)}});
   set_reaction(finding, says::reaction);
+  finding.help.push_back(message(says::help, {{"limit", std::to_string(line.line_value().row->max_length)}}));
 }
 
 void string_too_long(ListContext const& context, Report& report) {

@@ -11,6 +11,8 @@ constexpr Sentence rotary{"`{parameter}` is not meant for rotary axes",
 constexpr Sentence spindle{"`{parameter}` is not meant for spindles",
                            "`{parameter}` ist für Spindeln nicht vorgesehen"};
 constexpr Sentence types{"axis types: {types}", "Achstypen: {types}"};
+constexpr Sentence help{"remove the line, or correct the axis type (`kenngr.achs_typ`)",
+                        "die Zeile entfernen, oder den Achstyp (`kenngr.achs_typ`) berichtigen"};
 
 }  // namespace axisc::validator::says
 
@@ -44,6 +46,7 @@ void describe(Finding& finding, AxisContext const& context, EffectiveValue const
   std::string listed;
   for (char const type : row.axis_types) listed.append(listed.empty() ? "" : ", ").append(1, type);
   finding.notes.push_back(message(says::types, {{"types", listed}}));
+  finding.help.push_back(message(says::help));
 }
 
 void check_row(AxisContext const& context, schema::Parameter const& row, Report& report) {

@@ -14,6 +14,8 @@ constexpr Sentence no_value{
 
 constexpr Sentence overwritten{"it cannot resolve the reference; a later line applies",
                                "sie kann den Verweis nicht auflösen; es gilt eine spätere Zeile"};
+constexpr Sentence help{"correct the number, or write the value itself",
+                        "die Nummer berichtigen, oder den Wert selbst schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -38,6 +40,7 @@ void report_overwritten(AxisContext const& context, LoadedList const& list, Repo
                                   context.values.row(line_value.slot), line_value.slot,
                                   message(says::headline, {{"p_axis", named(problem)}}));
     set_reaction(finding, says::overwritten);
+    finding.help.push_back(message(says::help));
   }
 }
 
@@ -49,7 +52,9 @@ void reference_unresolvable(AxisContext const& context, Report& report) {
                              ? message(says::no_value, {{"name", name_of(context, *problem.target)},
                                                         {"p_axis", named(problem)}})
                              : message(says::headline, {{"p_axis", named(problem)}});
-                     keep_earlier(context, report.add(value, text), value);
+                     Finding& finding = report.add(value, text);
+                     keep_earlier(context, finding, value);
+                     finding.help.push_back(message(says::help));
                    });
   for (LoadedList const* const list : lists_of(context)) {
     if (list != nullptr) report_overwritten(context, *list, report);

@@ -9,6 +9,7 @@ constexpr Sentence itself{"`{parameter}` refers to itself", "`{parameter}` verwe
 constexpr Sentence circle{"`{parameter}` refers to itself in a circle",
                           "`{parameter}` verweist im Kreis auf sich selbst"};
 constexpr Sentence member{"`{parameter}` belongs to the circle", "`{parameter}` gehört zum Kreis"};
+constexpr Sentence help{"give one of the parameters a number", "einem der Parameter eine Zahl geben"};
 
 }  // namespace axisc::validator::says
 
@@ -21,6 +22,7 @@ void reference_circular(AxisContext const& context, Report& report) {
         SentenceRef const text = problem.circle.empty() ? says::itself : says::circle;
         Finding& finding = report.add(value, message(text, {{"parameter", name_of(context, problem.slot)}}));
         keep_earlier(context, finding, value);
+        finding.help.push_back(message(says::help));
         for (schema::Slot const member : problem.circle) {
           finding.related.push_back(
               {.place = *context.values[member].value_place(),

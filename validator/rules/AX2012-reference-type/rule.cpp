@@ -9,6 +9,8 @@ constexpr Sentence headline{"`{parameter}` is {type}, but {p_axis} is {other}",
                             "`{parameter}` ist {type}, {p_axis} aber {other}"};
 constexpr Sentence symbol{"`{value}`, the value of {p_axis}, is not a valid value for `{parameter}`",
                           "`{value}`, der Wert von {p_axis}, ist kein gültiger Wert für `{parameter}`"};
+constexpr Sentence help{"refer to a parameter of the same type, or write the value itself",
+                        "auf einen Parameter gleichen Typs verweisen, oder den Wert selbst schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -32,6 +34,7 @@ void reference_type(AxisContext const& context, Report& report) {
         }
         Finding& finding = report.add(value, std::move(text));
         keep_earlier(context, finding, value);
+        finding.help.push_back(message(says::help));
         add_target(context, finding, problem);
       });
 }

@@ -11,6 +11,8 @@ constexpr Sentence headline{"{p_axis} has the entries 0 to {last}, not {index}",
                             "{p_axis} hat die Einträge 0 bis {last}, nicht {index}"};
 constexpr Sentence scalar{"{p_axis} is not an array and has no entry {index}",
                           "{p_axis} ist kein Feld und hat keinen Eintrag {index}"};
+constexpr Sentence help{"use an index in range, or write the value itself",
+                        "einen gültigen Index verwenden, oder den Wert selbst schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -39,7 +41,9 @@ void reference_index(AxisContext const& context, Report& report) {
                                                        {"last", std::to_string(entries - 1)},
                                                        {"index", index}});
                      }
-                     keep_earlier(context, report.add(value, std::move(text)), value);
+                     Finding& finding = report.add(value, std::move(text));
+                     keep_earlier(context, finding, value);
+                     finding.help.push_back(message(says::help));
                    });
 }
 

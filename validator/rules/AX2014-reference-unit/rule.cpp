@@ -9,6 +9,8 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"`{parameter}` is in {unit}, but {p_axis} is in {other}",
                             "`{parameter}` hat die Einheit {unit}, {p_axis} aber {other}"};
 constexpr Sentence reaction{"it takes the number as it is", "sie übernimmt die Zahl unverändert"};
+constexpr Sentence help{"refer to a parameter of the same unit, or write the value itself",
+                        "auf einen Parameter gleicher Einheit verweisen, oder den Wert selbst schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -27,6 +29,7 @@ void reference_unit(AxisContext const& context, Report& report) {
                      {"p_axis", named(problem)},
                      {"other", raw_unit_name(unit_of(context.values.row(*problem.target), context.type))}}));
         set_reaction(finding, says::reaction);
+        finding.help.push_back(message(says::help));
         add_target(context, finding, problem);
       });
 }

@@ -19,6 +19,10 @@ constexpr Sentence quotes{
     "ein Text in Anführungszeichen braucht den Stand {needed} der Steuerung, sie hat {build}"};
 constexpr Sentence spindle{"filters for spindles need build {needed} of the control, which has {build}",
                            "Filter für Spindeln brauchen den Stand {needed} der Steuerung, sie hat {build}"};
+constexpr Sentence help{"leave it out, or use a build that has it",
+                        "es weglassen, oder einen Stand verwenden, der es kennt"};
+constexpr Sentence help_spindle{"switch the filter off, or use a newer build",
+                                "den Filter ausschalten, oder einen neueren Stand verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -79,6 +83,7 @@ void describe(Finding& finding, AxisContext const& context, LineValue const& lin
                             {{"parameter", finding.parameter},
                              {"needed", missing_build(parameter, line_value, build)},
                              {"build", to_text(build)}});
+  finding.help.push_back(message(says::help));
 }
 
 void check_spindle(AxisContext const& context, BuildVersion const& build, Report& report) {
@@ -86,8 +91,10 @@ void check_spindle(AxisContext const& context, BuildVersion const& build, Report
   for (FilterView const& filter : context.filters) {
     bool const on = !filter.enable.unusable && filter.enable.value.flag();
     if (filter.port != FilterPort::setpoint || !on) continue;
-    report.add(filter.enable, message(says::spindle, {{"needed", to_text(builds::spindle_filters)},
-                                                      {"build", to_text(build)}}));
+    report
+        .add(filter.enable, message(says::spindle, {{"needed", to_text(builds::spindle_filters)},
+                                                    {"build", to_text(build)}}))
+        .help.push_back(message(says::help_spindle));
   }
 }
 
@@ -111,9 +118,11 @@ void check_needed(ProgramContext const& context, Span span, BuildVersion const& 
   BuildVersion const& build = *context.whole.machine.build;
   if (build >= needed) return;
   std::string const written(context.text.substr(span.begin, span.size()));
-  report.add(Place{.source = context.program.source, .span = span},
-             message(says::headline,
-                     {{"parameter", written}, {"needed", to_text(needed)}, {"build", to_text(build)}}));
+  report
+      .add(Place{.source = context.program.source, .span = span},
+           message(says::headline,
+                   {{"parameter", written}, {"needed", to_text(needed)}, {"build", to_text(build)}}))
+      .help.push_back(message(says::help));
 }
 
 void newer_than_build(AxisContext const& context, Report& report) {

@@ -12,6 +12,8 @@ constexpr Sentence limit{"{p_axis}: 0 < f < 0.5/T = {limit} Hz at T = {cycle}",
                          "{p_axis}: 0 < f < 0,5/T = {limit} Hz bei T = {cycle}"};
 constexpr Sentence reaction{"it raises the frequency to the lowest allowed one",
                             "sie hebt die Frequenz auf die kleinste zulässige an"};
+constexpr Sentence help{"set the intended frequency; `enable 0` switches a filter off",
+                        "die gewünschte Frequenz setzen; `enable 0` schaltet einen Filter ab"};
 
 }  // namespace axisc::validator::says
 
@@ -30,6 +32,7 @@ void frequency_zero(AxisContext const& axis, Report& report) {
                              {{"p_axis", parameter_number(found.frequency)},
                               {"limit", number(axis.cycle_time.nyquist().value)},
                               {"cycle", microseconds(axis.cycle_time.microseconds())}}});
+    finding.help.push_back({says::help, {}});
     react(finding, {says::reaction, {}});
   }
 }

@@ -23,6 +23,8 @@ constexpr Sentence fir_frequency{"{p_axis}: fcut is for type 3, windowed sinc",
                                  "{p_axis}: fcut gilt für Typ 3, Windowed Sinc"};
 constexpr Sentence fir_quality{"{p_axis}: quality is for type 2, Gaussian",
                                "{p_axis}: quality gilt für Typ 2, Gauß"};
+constexpr Sentence help{"remove the line, or choose a type that uses the parameter",
+                        "die Zeile entfernen, oder einen Typ wählen, der den Parameter verwendet"};
 
 }  // namespace axisc::validator::says
 
@@ -80,6 +82,7 @@ Finding* check(Candidate const& candidate, std::string const& type, Report& repo
   Message users{candidate.users, {{"p_axis", parameter_number(parameter)}}};
   if (candidate.uses != nullptr) users.arguments.push_back({"types", types_with(candidate.uses)});
   finding.notes.push_back(std::move(users));
+  finding.help.push_back({says::help, {}});
   react(finding, {says::filter_value_ignored, {}});
   return &finding;
 }

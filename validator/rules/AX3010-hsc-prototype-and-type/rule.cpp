@@ -14,6 +14,8 @@ constexpr Sentence limit{
     "{p_axis}: HSC_MEAN und HSC_SHAPER nur mit Prototyp HSC, die anderen Typen nur ohne"};
 constexpr Sentence help{"`{parameter} HSC` makes it an HSC filter",
                         "`{parameter} HSC` macht ihn zum HSC-Filter"};
+constexpr Sentence help_standard{"use the prototype `CRIT_DAMPING`, `BUTTERWORTH` or `BESSEL`",
+                                 "den Prototyp `CRIT_DAMPING`, `BUTTERWORTH` oder `BESSEL` verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -38,6 +40,8 @@ void hsc_prototype_and_type(FilterContext const& context, Report& report) {
   note_default(finding, filter.prototype);
   if (type_is_hsc && filter.port == FilterPort::setpoint) {
     finding.help.push_back({says::help, {{"parameter", parameter_name(filter.prototype)}}});
+  } else if (!type_is_hsc) {
+    finding.help.push_back({says::help_standard, {}});
   }
 }
 

@@ -16,6 +16,7 @@ constexpr Sentence limit{
     "{p_axis}: manche Stände kennen die Typen 7, 9 und 13; was sie rechnen, ist nicht dokumentiert"};
 constexpr Sentence limit_interface{"{p_axis}: HSC filters can be used as axis filters only",
                                    "{p_axis}: HSC-Filter sind nur als Achsfilter verwendbar"};
+constexpr Sentence help{"documented are {types}", "dokumentiert sind {types}"};
 
 }  // namespace axisc::validator::says
 
@@ -24,6 +25,15 @@ namespace {
 
 bool is_undocumented(int type) {
   return type == 7 || type == 9 || type == 13;
+}
+
+/// "LOWPASS, HIGHPASS, …".
+std::string standard_types() {
+  std::string types;
+  for (design::FilterKind const& kind : design::filter_kinds) {
+    types.append(types.empty() ? "" : ", ").append(kind.word);
+  }
+  return types;
 }
 
 void undocumented_type(FilterContext const& context, Report& report) {
@@ -38,6 +48,7 @@ void undocumented_type(FilterContext const& context, Report& report) {
   finding.label = Message{says::label, {}};
   finding.notes.push_back(
       {misplaced ? says::limit_interface : says::limit, {{"p_axis", parameter_number(filter.type)}}});
+  finding.help.push_back({says::help, {{"types", standard_types()}}});
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ constexpr Sentence limit{"{p_axis}: 100 % is the whole signal, 0 % none of it",
                          "{p_axis}: 100 % ist das ganze Signal, 0 % nichts davon"};
 constexpr Sentence help{"`{enable} 0` is the clear way to switch the filter off",
                         "`{enable} 0` schaltet den Filter eindeutig aus"};
+constexpr Sentence help_whole{"`{share} 100` sends the whole signal through the filter",
+                              "`{share} 100` führt das ganze Signal durch den Filter"};
 
 }  // namespace axisc::validator::says
 
@@ -31,7 +33,11 @@ void check(EffectiveValue const& share, std::string filter, EffectiveValue const
   Finding& finding = report.add(share, {says::headline, {{"filter", std::move(filter)}}});
   finding.label = Message{says::label, {}};
   finding.notes.push_back({says::limit, {{"p_axis", parameter_number(share)}}});
-  if (enable.value.flag()) finding.help.push_back({says::help, {{"enable", parameter_name(enable)}}});
+  if (enable.value.flag()) {
+    finding.help.push_back({says::help, {{"enable", parameter_name(enable)}}});
+  } else {
+    finding.help.push_back({says::help_whole, {{"share", parameter_name(share)}}});
+  }
   react(finding, {says::filter_reaction_inactive, {}});
 }
 

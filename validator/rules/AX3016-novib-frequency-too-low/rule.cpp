@@ -12,6 +12,8 @@ constexpr Sentence label{"this needs order {order}; at most {limit} is possible"
                          "dafür ist die Ordnung {order} nötig, möglich ist höchstens {limit}"};
 constexpr Sentence limit{"{p_axis}: f ≥ 1/(101 T) = {lowest} Hz at T = {cycle}",
                          "{p_axis}: f ≥ 1/(101 T) = {lowest} Hz bei T = {cycle}"};
+constexpr Sentence help{"for lower frequencies use `BANDSTOP`, which does not have this limit",
+                        "für kleinere Frequenzen `BANDSTOP` verwenden, das diese Grenze nicht hat"};
 
 }  // namespace axisc::validator::says
 
@@ -35,6 +37,7 @@ void novib_frequency_too_low(FilterContext const& context, Report& report) {
                             {"lowest", format_rounded(lowest, 7)},
                             {"cycle", microseconds(cycle_time.microseconds())}}});
   note_default(finding, frequency);
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ constexpr Sentence to_zero{
 constexpr Sentence note{
     "the filters act on absolute positions; with share s only 1 - s of the constant part remains",
     "die Filter wirken auf absolute Positionen; beim Anteil s bleibt nur 1 - s des Gleichanteils"};
+constexpr Sentence help{"`{parameter} LOWPASS` or `{parameter} BANDSTOP` is nearly always what is meant",
+                        "gemeint ist fast immer `{parameter} LOWPASS` oder `{parameter} BANDSTOP`"};
 
 }  // namespace axisc::validator::says
 
@@ -33,6 +35,7 @@ void blocks_constant_part(FilterContext const& context, Report& report) {
                         : Message{says::label, {{"share", percent(share)}, {"left", percent(1 - share)}}};
   }
   finding.notes.push_back({says::note, {}});
+  finding.help.push_back({says::help, {{"parameter", parameter_name(filter.type)}}});
 }
 
 }  // namespace

@@ -39,7 +39,9 @@ void tiny_share(AxisContext const& axis, Report& report) {
 
 extern constinit Rule const ax3019{
     .severity = Severity::note,
-    .parameters = "filters[].* filter_fir.*",
+    .parameters =
+        "filters[].share_percent filters[].enable filters[].order filters[].type filter_fir.share "
+        "filter_fir.type",
     .check = tiny_share,
 };
 

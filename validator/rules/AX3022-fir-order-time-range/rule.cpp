@@ -17,6 +17,8 @@ constexpr Sentence fir_order_time_range_long{
     "die als Zeit angegebene Ordnung ist länger als {order} NC-Zyklen"};
 constexpr Sentence limit{"{p_axis}: T = {shortest} ≤ order_time ≤ {order} T = {longest}",
                          "{p_axis}: T = {shortest} ≤ order_time ≤ {order} T = {longest}"};
+constexpr Sentence help{"`{parameter}` gives the order in cycles, 1 to {order}",
+                        "`{parameter}` gibt die Ordnung in Zyklen an, 1 bis {order}"};
 
 }  // namespace axisc::validator::says
 
@@ -50,6 +52,7 @@ void fir_order_time_range(AxisContext const& axis, Report& report) {
                             {{"value", number(time)},
                              {"replacement", parameter_name(fir.order_time) + " " + number(time * 1000)}}});
   }
+  finding.help.push_back({says::help, {{"parameter", parameter_name(fir.order)}, {"order", order}}});
   if (short_one) {
     react(finding, order_too_low, {says::kernel_reaction_not_active, {}});
   } else {

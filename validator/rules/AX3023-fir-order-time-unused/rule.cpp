@@ -11,6 +11,7 @@ constexpr Sentence headline{
     "`filter_fir.order` {order} hat Vorrang: `filter_fir.order_time` wird nicht verwendet"};
 constexpr Sentence label{"{time} have no effect", "{time} haben keine Wirkung"};
 constexpr Sentence order_here{"the order is set here", "hier wird die Ordnung gesetzt"};
+constexpr Sentence help{"remove the line that is not meant", "die nicht gemeinte Zeile entfernen"};
 
 }  // namespace axisc::validator::says
 
@@ -27,6 +28,7 @@ void fir_order_time_unused(AxisContext const& axis, Report& report) {
   if (fir.order.value_place()) {
     finding.related.push_back({*fir.order.value_place(), {says::order_here, {}}});
   }
+  finding.help.push_back({says::help, {}});
   react(finding, {says::filter_value_ignored, {}},
         "filter_fir.order " + number(fir.order.value.number).written());
 }

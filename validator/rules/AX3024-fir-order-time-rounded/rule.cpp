@@ -15,6 +15,8 @@ constexpr Sentence headline{
 constexpr Sentence formula{"{p_axis}: order = order_time / T, rounded",
                            "{p_axis}: order = order_time / T, gerundet"};
 constexpr Sentence reaction{"the time is rounded to whole cycles", "die Zeit wird auf ganze Zyklen gerundet"};
+constexpr Sentence help{"`{parameter} {time}` says the same in whole cycles",
+                        "`{parameter} {time}` sagt dasselbe in ganzen Zyklen"};
 
 }  // namespace axisc::validator::says
 
@@ -32,6 +34,11 @@ void fir_order_time_rounded(AxisContext const& axis, Report& report) {
   Finding& finding = report.add(fir.order_time, {says::headline, {{"order", order}}});
   finding.label = time_in_cycles(fir.order_time.value.number, axis.cycle_time);
   finding.notes.push_back({says::formula, {{"p_axis", parameter_number(fir.order_time)}}});
+  double const time = fir.resulting_order(axis.cycle_time) * axis.cycle_time.microseconds();
+  if (time == std::floor(time)) {
+    finding.help.push_back(
+        {says::help, {{"parameter", parameter_name(fir.order_time)}, {"time", format_exact(time)}}});
+  }
   react(finding, {says::reaction, {}}, order);
 }
 

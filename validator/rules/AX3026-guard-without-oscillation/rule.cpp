@@ -16,10 +16,8 @@ constexpr Sentence of_command{
     "the command takes the damping of the lists, which is 1 for {axes}: there is no oscillation to shape",
     "der Befehl nimmt die Dämpfung der Listen, die für {axes} 1 ist: es gibt keine Schwingung zu formen"};
 constexpr Sentence damping_here{"the damping is set here", "hier wird die Dämpfung gesetzt"};
-constexpr Sentence measure{
-    "enter the measured damping ratio of the mechanics; the default is 0.1",
-    "das gemessene Dämpfungsmaß der Mechanik eintragen; das von Werkzeugmaschinen liegt etwa bei 0,02 bis "
-    "0,1"};
+constexpr Sentence measure{"enter the measured damping ratio of the mechanics; the default is 0.1",
+                           "das gemessene Dämpfungsmaß der Mechanik eintragen; der Standardwert ist 0,1"};
 
 }  // namespace axisc::validator::says
 

@@ -24,6 +24,9 @@ constexpr Sentence band{"at most 5 % are left from {from} to {to} Hz",
                         "höchstens 5 % bleiben von {from} bis {to} Hz"};
 constexpr Sentence no_band{"more than 5 % are left at every frequency around it",
                            "bei jeder Frequenz ringsum bleiben mehr als 5 %"};
+constexpr Sentence help{
+    "a low-pass or `BANDSTOP` in `filter[i]` suits such frequencies better",
+    "ein Tiefpass oder `BANDSTOP` in `filter[i]` eignet sich für solche Frequenzen besser"};
 
 }  // namespace axisc::validator::says
 
@@ -38,6 +41,7 @@ void describe(Finding& finding, design::KernelDesign const& kernel, design::Kern
   finding.notes.push_back(
       band ? Message{says::band, {{"from", number(band->from.value)}, {"to", number(band->to.value)}}}
            : Message{says::no_band, {}});
+  finding.help.push_back({says::help, {}});
 }
 
 /// The kernel and what it leaves; nothing where that is little, and where there is no kernel.

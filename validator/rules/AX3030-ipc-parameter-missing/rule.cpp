@@ -26,6 +26,8 @@ constexpr Sentence second_bandpass{
     "`filter[0]` ist ohne Prototyp CRIT_DAMPING, ein Bandpass dahinter muss seinen nennen"};
 constexpr Sentence reaction{"it reports each of them as out of range",
                             "sie meldet jeden davon als außerhalb des Bereichs"};
+constexpr Sentence help{"set what is missing, or the mode to `NOT_ACTIVE`",
+                        "setzen, was fehlt, oder den Modus auf `NOT_ACTIVE`"};
 
 }  // namespace axisc::validator::says
 
@@ -106,6 +108,7 @@ void ipc_parameter_missing(AxisContext const& axis, Report& report) {
     finding.label = Message{says::label, {{"parameters", missing.names()}}};
     finding.notes.push_back({stage.simulates() ? says::limit_simulated : says::limit, {}});
     if (missing.lacks_prototype()) finding.notes.push_back({says::second_bandpass, {}});
+    finding.help.push_back({says::help, {}});
     react(finding, missing.messages(), {says::reaction, {}});
   }
 }

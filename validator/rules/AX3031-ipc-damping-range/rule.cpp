@@ -13,6 +13,9 @@ constexpr Sentence limit{"{p_axis}: 0 < damping < 1 in INDIRECT and SET_POINT",
                          "{p_axis}: 0 < damping < 1 in INDIRECT und SET_POINT"};
 constexpr Sentence reaction{"it reports the damping as out of range",
                             "sie meldet die Dämpfung als außerhalb des Bereichs"};
+constexpr Sentence help{
+    "compute it from the measured decay, or start near 1 and lower it step by step",
+    "sie aus dem gemessenen Abklingen berechnen, oder nahe 1 beginnen und schrittweise senken"};
 
 }  // namespace axisc::validator::says
 
@@ -26,6 +29,7 @@ void ipc_damping_range(AxisContext const& axis, Report& report) {
     Finding& finding = report.add(damping, {says::headline, {{"damping", number(value)}}});
     finding.label = Message{says::label, {}};
     finding.notes.push_back({says::limit, {{"p_axis", parameter_number(damping)}}});
+    finding.help.push_back({says::help, {}});
     react(finding, {says::reaction, {}});
     relate_mode(finding, stage);
   });

@@ -3,6 +3,8 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/views/position_control_view.hpp"
 
+#include <cmath>
+
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"the weight {weight} is limited to 7",
@@ -11,6 +13,8 @@ constexpr Sentence label{"{numerator} / {denominator} = {weight}", "{numerator} 
 constexpr Sentence limit{"{numerator} / {denominator} ≤ {limit}", "{numerator} / {denominator} ≤ {limit}"};
 constexpr Sentence denominator_here{"the denominator is set here", "hier wird der Nenner gesetzt"};
 constexpr Sentence reaction{"it limits the weight", "sie begrenzt das Gewicht"};
+constexpr Sentence help{"`{parameter} {largest}` is the largest here",
+                        "`{parameter} {largest}` ist hier der größte Wert"};
 
 }  // namespace axisc::validator::says
 
@@ -38,6 +42,9 @@ void ipc_weight_limited(AxisContext const& axis, Report& report) {
     if (denominator.value_place()) {
       finding.related.push_back({*denominator.value_place(), {says::denominator_here, {}}});
     }
+    double const largest = std::floor(largest_weight * denominator.value.number);
+    finding.help.push_back(
+        {says::help, {{"parameter", parameter_name(numerator)}, {"largest", number(largest)}}});
     react(finding, {says::reaction, {}}, number(largest_weight).written());
   }
 }

@@ -15,6 +15,8 @@ constexpr Sentence other{"{frequency} Hz, bandwidth {width} Hz", "{frequency} Hz
 constexpr Sentence limit{
     "bandwidth = fg_f0 / q_factor; stages are separate where |f1 - f2| ≥ f1 / (2 q1) + f2 / (2 q2)",
     "Bandbreite = fg_f0 / q_factor; Stufen sind getrennt, wo |f1 - f2| ≥ f1 / (2 q1) + f2 / (2 q2)"};
+constexpr Sentence help{"raise `q_factor`, or use one stage for both frequencies",
+                        "`q_factor` erhöhen, oder eine Stufe für beide Frequenzen verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -66,6 +68,7 @@ void ipc_frequencies_close(AxisContext const& axis, Report& report) {
     finding.label = Message{
         says::other, {{"frequency", number(band.centre)}, {"width", format_rounded(2 * band.half_width, 4)}}};
     finding.notes.push_back({says::limit, {}});
+    finding.help.push_back({says::help, {}});
     finding.related = std::move(earlier);
   }
 }

@@ -11,6 +11,8 @@ constexpr Sentence headline{"Improved Position Control is not available for the 
                             "die optimierte Lageregelung gibt es für den Antriebstyp „{drive}“ nicht"};
 constexpr Sentence limit{"{p_axis}: available for SERCOS (2), PROFIDRIVE (3) and CANopen (8)",
                          "{p_axis}: verfügbar für SERCOS (2), PROFIDRIVE (3) und CANopen (8)"};
+constexpr Sentence help{"correct the drive type, or set `{enable}` to 0",
+                        "den Antriebstyp berichtigen, oder `{enable}` auf 0 setzen"};
 
 }  // namespace axisc::validator::says
 
@@ -30,6 +32,7 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
                            : report.add(type, std::move(message));
   finding.notes.push_back({says::limit, {{"p_axis", parameter_number(type)}}});
   relate_enable(finding, view);
+  finding.help.push_back({says::help, {{"enable", parameter_name(view.enable)}}});
 }
 
 }  // namespace

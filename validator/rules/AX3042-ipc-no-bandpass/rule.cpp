@@ -9,6 +9,7 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"stage {stage} has no band-pass", "Stufe {stage} hat keinen Bandpass"};
 constexpr Sentence limit{"{p_axis}: an active stage needs at least one filter of type BANDPASS",
                          "{p_axis}: eine aktive Stufe braucht mindestens einen Filter vom Typ BANDPASS"};
+constexpr Sentence help{"`{parameter} BANDPASS` adds one", "`{parameter} BANDPASS` ergänzt einen"};
 
 }  // namespace axisc::validator::says
 
@@ -26,6 +27,7 @@ void ipc_no_bandpass(AxisContext const& axis, Report& report) {
     if (unknown || types.empty() || stage.bandpass()) continue;
     Finding& finding = report.add(*last_of(types), {says::headline, {{"stage", number(stage.index)}}});
     finding.notes.push_back({says::limit, {{"p_axis", parameter_number(*types.front())}}});
+    finding.help.push_back({says::help, {{"parameter", parameter_name(*types.front())}}});
     for (EffectiveValue const* const type : types) {
       if (type != last_of(types)) relate_set_type(finding, *type);
     }

@@ -14,6 +14,8 @@ constexpr Sentence limit{"{p_axis}: position control in the CNC or in the drive"
                          "{p_axis}: Lageregelung in der CNC oder im Antrieb"};
 constexpr Sentence reaction{"it reports that this operation mode does not allow it",
                             "sie meldet, dass diese Betriebsart das nicht zulässt"};
+constexpr Sentence help{"choose position control in the CNC or in the drive, or set `{enable}` to 0",
+                        "Lageregelung in der CNC oder im Antrieb wählen, oder `{enable}` auf 0 setzen"};
 
 }  // namespace axisc::validator::says
 
@@ -26,6 +28,7 @@ void ipc_operation_mode(AxisContext const& axis, Report& report) {
   if (!view.enabled() || !mode.set() || !is_open_loop(mode)) return;
   Finding& finding = report.add(mode, {says::headline, {{"mode", std::string(mode.value.text)}}});
   finding.notes.push_back({says::limit, {{"p_axis", parameter_number(mode)}}});
+  finding.help.push_back({says::help, {{"enable", parameter_name(view.enable)}}});
   react(finding, {says::reaction, {}});
   relate_enable(finding, view);
 }

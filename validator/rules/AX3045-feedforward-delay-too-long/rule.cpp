@@ -4,6 +4,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/views/feedforward_view.hpp"
 
+#include <cmath>
 #include <string_view>
 
 namespace axisc::validator::says {
@@ -21,6 +22,10 @@ constexpr Sentence older_limit{
     "die Beschreibung des Parameters nennt < 6 T, die der Meldungen und ältere Handbücher < T; ab welcher "
     "Version ist nicht dokumentiert"};
 constexpr Sentence reaction{"it takes 0: no delay", "sie setzt 0 ein: keine Verzögerung"};
+constexpr Sentence help{"`{parameter} {longest}` is the longest here",
+                        "`{parameter} {longest}` ist hier die längste"};
+constexpr Sentence help_older{"less than {cycle} suits every build",
+                              "weniger als {cycle} ist in jeder Version erlaubt"};
 
 }  // namespace axisc::validator::says
 
@@ -44,9 +49,12 @@ void check(EffectiveValue const& time, std::string_view refusal, AxisContext con
          {{"p_axis", parameter_number(time)},
           {"parameter", parameter_name(time)},
           {"limit", microseconds(refused_delay_cycles * axis.cycle_time.microseconds())}}});
+    double const longest = std::ceil(refused_delay_cycles * axis.cycle_time.microseconds()) - 1;
+    finding.help.push_back({says::help, {{"parameter", parameter_name(time)}, {"longest", number(longest)}}});
     react(finding, refusal, {says::reaction, {}}, "0");
   } else {
     finding.notes.push_back({says::older_limit, {}});
+    finding.help.push_back({says::help_older, {{"cycle", microseconds(axis.cycle_time.microseconds())}}});
   }
 }
 

@@ -13,6 +13,10 @@ constexpr Sentence needs_quantity{"{p_axis}: acts only with {word} in P-AXIS-002
                                   "{p_axis}: wirkt nur mit {word} in P-AXIS-00223; hier ist es {value}"};
 constexpr Sentence needs_drive{"{p_axis}: acts only with PROFIDRIVE; the drive is \"{drive}\"",
                                "{p_axis}: wirkt nur mit PROFIDRIVE; der Antrieb ist „{drive}“"};
+constexpr Sentence help_quantity{"add {word} to P-AXIS-00223, or remove the line",
+                                 "{word} in P-AXIS-00223 ergänzen, oder die Zeile entfernen"};
+constexpr Sentence help_drive{"remove the line, or correct the drive type",
+                              "die Zeile entfernen, oder den Antriebstyp berichtigen"};
 
 }  // namespace axisc::validator::says
 
@@ -30,6 +34,7 @@ void check_quantity(std::string_view name, Feedforward quantity, std::string_vie
                            {{"p_axis", parameter_number(time)},
                             {"word", std::string(word)},
                             {"value", symbol_word(feedforward.quantities)}}});
+  finding.help.push_back({says::help_quantity, {{"word", std::string(word)}}});
 }
 
 void feedforward_delay_unused(AxisContext const& axis, Report& report) {
@@ -46,6 +51,7 @@ void feedforward_delay_unused(AxisContext const& axis, Report& report) {
     Finding& finding = report.add(time, {says::headline, {{"parameter", parameter_name(time)}}});
     finding.notes.push_back(
         {says::needs_drive, {{"p_axis", parameter_number(time)}, {"drive", drive_name(*drive)}}});
+    finding.help.push_back({says::help_drive, {}});
   }
 }
 

@@ -12,6 +12,8 @@ constexpr Sentence limit{"{p_axis} = 1 allows VEL and ADD_VEL in P-AXIS-00223; h
                          "{p_axis} = 1 lässt in P-AXIS-00223 VEL und ADD_VEL zu; hier steht {value}"};
 constexpr Sentence reaction{"it takes acceleration and jerk out of P-AXIS-00223",
                             "sie nimmt Beschleunigung und Ruck aus P-AXIS-00223 heraus"};
+constexpr Sentence help{"name only VEL or ADD_VEL in P-AXIS-00223, or remove `{parameter}`",
+                        "in P-AXIS-00223 nur VEL oder ADD_VEL nennen, oder `{parameter}` entfernen"};
 
 }  // namespace axisc::validator::says
 
@@ -27,6 +29,7 @@ void feedforward_without_delay(AxisContext const& axis, Report& report) {
   finding.notes.push_back(
       {says::limit,
        {{"p_axis", parameter_number(undelayed)}, {"value", symbol_word(feedforward.quantities)}}});
+  finding.help.push_back({says::help, {{"parameter", parameter_name(undelayed)}}});
   react(finding, {says::reaction, {}});
 }
 

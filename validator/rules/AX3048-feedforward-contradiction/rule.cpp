@@ -14,6 +14,10 @@ constexpr Sentence disabled{"feedforward is disabled, but P-AXIS-00223 names {va
 constexpr Sentence empty{
     "feedforward is active from the start, but P-AXIS-00223 names nothing to feed forward",
     "die Vorsteuerung ist von Anfang an aktiv, aber P-AXIS-00223 nennt nichts, was vorzusteuern ist"};
+constexpr Sentence help_disabled{"set `{parameter}` to 0, or P-AXIS-00223 to NONE",
+                                 "`{parameter}` auf 0 setzen, oder P-AXIS-00223 auf NONE"};
+constexpr Sentence help_empty{"set `{parameter}` to 0, or name VEL in P-AXIS-00223",
+                              "`{parameter}` auf 0 setzen, oder VEL in P-AXIS-00223 nennen"};
 
 }  // namespace axisc::validator::says
 
@@ -31,10 +35,12 @@ void feedforward_contradiction(AxisContext const& axis, Report& report) {
   if (quantities.unusable) return;
   if (disabled.is_on() && quantities.value.flag()) {
     Finding& finding = report.add(disabled, {says::disabled, {{"value", symbol_word(quantities)}}});
+    finding.help.push_back({says::help_disabled, {{"parameter", parameter_name(disabled)}}});
     react(finding, disabled_with_quantities, {says::undocumented_reaction});
   }
   if (active.is_on() && feedforward.is_none()) {
     Finding& finding = report.add(active, {says::empty, {}});
+    finding.help.push_back({says::help_empty, {{"parameter", parameter_name(active)}}});
     react(finding, active_without_quantities, {says::undocumented_reaction});
   }
 }

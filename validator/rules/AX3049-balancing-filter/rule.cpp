@@ -17,6 +17,10 @@ constexpr Sentence too_short{
     "die Zeitkonstante des Filters, der die Vorsteuerung ausgleicht, ist kürzer als ein NC-Zyklus"};
 constexpr Sentence limit_unknown{"the control reports it as too small; its limit is not documented",
                                  "die Steuerung meldet sie als zu klein; die Grenze ist nicht dokumentiert"};
+constexpr Sentence help_off{"`{parameter} 0` switches the filter off",
+                            "`{parameter} 0` schaltet den Filter ab"};
+constexpr Sentence help_longer{"write at least {cycle}, or 0, which switches the filter off",
+                               "mindestens {cycle} schreiben, oder 0, was den Filter abschaltet"};
 
 }  // namespace axisc::validator::says
 
@@ -32,6 +36,7 @@ void balancing_filter(AxisContext const& axis, Report& report) {
   machine::DriveType const* const drive = stated_drive(axis.machine.axes[axis.index]);
   if (drive != nullptr && drive->number != machine::profidrive) {
     Finding& finding = report.add(time, {says::wrong_drive, {{"drive", drive_name(*drive)}}});
+    finding.help.push_back({says::help_off, {{"parameter", parameter_name(time)}}});
     react(finding, wrong_drive_number, {says::undocumented_reaction});
     return;
   }
@@ -40,6 +45,7 @@ void balancing_filter(AxisContext const& axis, Report& report) {
   finding.severity = Severity::warning;
   finding.label = time_in_cycles(time.value.number, axis.cycle_time);
   finding.notes.push_back({says::limit_unknown, {}});
+  finding.help.push_back({says::help_longer, {{"cycle", microseconds(axis.cycle_time.microseconds())}}});
   react(finding, too_short_number, {says::undocumented_reaction});
 }
 

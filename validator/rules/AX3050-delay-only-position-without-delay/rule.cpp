@@ -13,6 +13,11 @@ constexpr Sentence no_delay{"no filter of the axis is an active TIME_DELAY",
                             "kein Filter der Achse ist ein aktives TIME_DELAY"};
 constexpr Sentence no_feedforward{"nothing is fed forward: P-AXIS-00223 is NONE",
                                   "es wird nichts vorgesteuert: P-AXIS-00223 ist NONE"};
+constexpr Sentence help_delay{"remove the line, or make a filter an active `TIME_DELAY`",
+                              "die Zeile entfernen, oder einen Filter zu einem aktiven `TIME_DELAY` machen"};
+constexpr Sentence help_feedforward{
+    "remove the line, or name in P-AXIS-00223 what is fed forward",
+    "die Zeile entfernen, oder in P-AXIS-00223 nennen, was vorgesteuert wird"};
 
 }  // namespace axisc::validator::says
 
@@ -33,6 +38,7 @@ void delay_only_position_without_delay(AxisContext const& axis, Report& report) 
   if (has_delay && !feedforward.is_none()) return;
   Finding& finding = report.add(position_alone, {says::headline, {}});
   finding.notes.push_back({has_delay ? says::no_feedforward : says::no_delay, {}});
+  finding.help.push_back({has_delay ? says::help_feedforward : says::help_delay, {}});
 }
 
 }  // namespace

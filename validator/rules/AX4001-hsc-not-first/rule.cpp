@@ -10,6 +10,8 @@ constexpr Sentence headline{"the HSC filter `{filter}` must be `filter[0]`",
                             "der HSC-Filter `{filter}` muss `filter[0]` sein"};
 constexpr Sentence label{"HSC filters work only as the first filter",
                          "HSC-Filter wirken nur als erster Filter"};
+constexpr Sentence help{"make it `filter[0]`, and number the others after it",
+                        "ihn zu `filter[0]` machen, und die anderen dahinter zählen"};
 
 }  // namespace axisc::validator::says
 
@@ -21,6 +23,7 @@ void hsc_not_first(FilterContext const& context, Report& report) {
   if (!is_configured_hsc(filter) || filter.index == 0) return;
   Finding& finding = report.add(filter.prototype, {says::headline, {{"filter", filter_name(filter)}}});
   finding.label = Message{says::label, {}};
+  finding.help.push_back({says::help, {}});
   react(finding, {says::filter_reaction_off, {}});
 }
 

@@ -13,6 +13,7 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"{count} HSC filters in one axis; only one is possible",
                             "{count} HSC-Filter in einer Achse; nur einer ist möglich"};
 constexpr Sentence label{"one too many", "einer zu viel"};
+constexpr Sentence help{"keep one of them, as `filter[0]`", "einen davon behalten, als `filter[0]`"};
 
 }  // namespace axisc::validator::says
 
@@ -36,6 +37,7 @@ void hsc_more_than_one(FilterContext const& context, Report& report) {
   for (FilterView const& filter : filters) {
     if (filter.index != last->index) relate_hsc_filter(finding, filter);
   }
+  finding.help.push_back({says::help, {}});
   react(finding, {says::filter_reaction_off, {}});
 }
 

@@ -8,6 +8,8 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"the HSC filter `{filter}` is configured for a spindle",
                             "der HSC-Filter `{filter}` ist für eine Spindel konfiguriert"};
 constexpr Sentence limit{"spindles have standard filters only", "für Spindeln gibt es nur Standardfilter"};
+constexpr Sentence help{"use a standard filter, or a FIR filter (`filter_fir`)",
+                        "einen Standardfilter oder einen FIR-Filter (`filter_fir`) verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -19,6 +21,7 @@ void hsc_on_spindle(FilterContext const& context, Report& report) {
   if (!is_configured_hsc(filter) || context.axis.type != machine::AxisType::spindle) return;
   Finding& finding = report.add(filter.prototype, {says::headline, {{"filter", filter_name(filter)}}});
   finding.notes.push_back({says::limit, {}});
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ constexpr Sentence limit{
     "mit P-AXIS-00513 = 1 darf nur der letzte aktive Filter einer Achse eine Zeitverzögerung sein"};
 constexpr Sentence reaction{"it switches the time delay off", "sie schaltet die Zeitverzögerung ab"};
 constexpr Sentence next_here{"`{filter}` is active after it", "`{filter}` ist danach aktiv"};
+constexpr Sentence help{"make it the last one: the order of the filters does not change the result",
+                        "sie zum letzten Filter machen: die Reihenfolge ändert das Ergebnis nicht"};
 
 }  // namespace axisc::validator::says
 
@@ -34,6 +36,7 @@ void delay_not_last(FilterContext const& context, Report& report) {
       report.add(delay.anchor(delay.type),
                  {says::headline, {{"filter", filter_name(delay)}, {"next", filter_name(*next)}}});
   finding.notes.push_back({says::limit, {}});
+  finding.help.push_back({says::help, {}});
   react(finding, {says::reaction, {}});
   if (next->enable.value_place()) {
     finding.related.push_back(

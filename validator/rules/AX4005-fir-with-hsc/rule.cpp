@@ -20,6 +20,8 @@ constexpr Sentence reaction{"it reports that the combination is not permitted",
                             "sie meldet, dass beides zusammen nicht zulässig ist"};
 constexpr Sentence help{"FIR filters replace HSC filters from build V3.1.3075.02",
                         "FIR-Filter ersetzen HSC-Filter ab Stand V3.1.3075.02"};
+constexpr Sentence help_command{"remove `#VIB GUARD`, or the HSC filters of these axes",
+                                "`#VIB GUARD` oder die HSC-Filter dieser Achsen entfernen"};
 
 }  // namespace axisc::validator::says
 
@@ -50,6 +52,7 @@ void guard_with_hsc(ProgramContext const& context, Report& report) {
   Finding& finding =
       report_at_last(context, report, spans, message(says::command, {{"axes", names_of(axes)}}));
   set_axis(finding, axes);
+  finding.help.push_back(message(says::help_command));
   set_reaction(finding, says::reaction);
 }
 

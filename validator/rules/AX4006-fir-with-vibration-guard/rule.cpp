@@ -10,6 +10,7 @@ constexpr Sentence headline{"an axis cannot have both a FIR filter and the Vibra
 constexpr Sentence guard_here{"the Vibration Guard is switched on here",
                               "hier wird der Vibration Guard eingeschaltet"};
 constexpr Sentence reaction{"the Vibration Guard is not active", "der Vibration Guard ist nicht aktiv"};
+constexpr Sentence help{"set `{type}` or `{guard}` to 0", "`{type}` oder `{guard}` auf 0 setzen"};
 
 }  // namespace axisc::validator::says
 
@@ -28,6 +29,8 @@ void fir_with_vibration_guard(AxisContext const& axis, Report& report) {
   if (guard.value_place()) {
     finding.related.push_back({*guard.value_place(), {says::guard_here, {}}});
   }
+  finding.help.push_back(
+      {says::help, {{"type", parameter_name(fir.type)}, {"guard", parameter_name(guard)}}});
   react(finding, {says::reaction, {}});
 }
 

@@ -17,6 +17,9 @@ constexpr Sentence difference{
     R"({p_axis}: `{parameter}` is {slave_value} in "{slave}", {master_value} in "{master}")",
     R"({p_axis}: `{parameter}` ist {slave_value} in „{slave}“, {master_value} in „{master}“)"};
 constexpr Sentence also_here{"`{parameter}` is set here", "hier wird `{parameter}` gesetzt"};
+constexpr Sentence help{
+    "use the same scaling in both lists, unless the drives differ",
+    "in beiden Listen dieselbe Skalierung verwenden, außer die Antriebe sind verschieden"};
 
 }  // namespace axisc::validator::says
 
@@ -68,6 +71,7 @@ void check_slave(LoadedAxis const& slave, LoadedAxis const& master, Report& repo
                               {"master", master.name},
                               {"master_value", number(pair.master.value.number)}}});
   }
+  finding.help.push_back({says::help, {}});
   for (EffectiveValue const* const value : places) {
     if (value == places.back()) continue;
     finding.related.push_back(

@@ -45,6 +45,12 @@ constexpr Sentence other_master{
 constexpr Sentence claim_here{"the machine file says so here", "hier sagt es die Maschinendatei"};
 constexpr Sentence lists_count{"the control knows only the lists; they apply",
                                "die Steuerung kennt nur die Listen, also gelten sie"};
+constexpr Sentence help_number{"set `{parameter}` to the number of the master",
+                               "`{parameter}` auf die Nummer der Masterachse setzen"};
+constexpr Sentence help_bit{"add 0x10000 to `{parameter}` of the master",
+                            "in `{parameter}` der Masterachse 0x10000 ergänzen"};
+constexpr Sentence help_agree{"make the machine file agree with the lists, or correct the list",
+                              "die Maschinendatei den Listen anpassen, oder die Liste berichtigen"};
 
 }  // namespace axisc::validator::says
 
@@ -87,6 +93,7 @@ class GantryJudge {
     Finding& finding = add(axis, at, text);
     finding.related.push_back({claim.place, {says::claim_here, {}}});
     finding.notes.push_back({says::lists_count, {}});
+    finding.help.push_back({says::help_agree, {}});
     finding.control.reset();
   }
 
@@ -104,6 +111,7 @@ class GantryJudge {
       if (!all_numbers_usable()) return;
       Finding& finding = add(axis, view.master_number, master ? says::itself : says::no_such_axis,
                              {{"number", checks::number(*number)}});
+      finding.help.push_back({says::help_number, {{"parameter", parameter_name(view.master_number)}}});
       react(finding, no_master, {says::reaction_no_master, {}});
       return;
     }
@@ -117,6 +125,7 @@ class GantryJudge {
     EffectiveValue const& at = view.master_number.set() ? view.master_number : view.mode;
     Finding& finding = add(axis, at, says::no_master);
     finding.notes.push_back({says::number_names, {{"p_axis", parameter_number(view.master_number)}}});
+    finding.help.push_back({says::help_number, {{"parameter", parameter_name(view.master_number)}}});
     react(finding, no_master_number, {says::reaction_no_number, {}});
   }
 
@@ -136,6 +145,7 @@ class GantryJudge {
            {at_master ? says::named_here : says::mode_here, {{"axis", name(at_master ? slave : master)}}}});
     }
     finding.notes.push_back({says::bits, {{"p_axis", parameter_number(other.mode)}}});
+    finding.help.push_back({says::help_bit, {{"parameter", parameter_name(other.mode)}}});
     react(finding, no_master, {says::reaction_no_master, {}});
   }
 

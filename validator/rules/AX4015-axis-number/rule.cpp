@@ -18,6 +18,9 @@ constexpr Sentence reaction_aborts{"it aborts start-up", "sie bricht den Hochlau
 constexpr Sentence reaction_zero{"it reports the number as wrong", "sie meldet die Nummer als falsch"};
 constexpr Sentence reaction_twice{"it reports the number as used twice",
                                   "sie meldet die Nummer als doppelt vergeben"};
+constexpr Sentence help_default{"remove the line, or write 0", "die Zeile entfernen, oder 0 schreiben"};
+constexpr Sentence help_own{"give every axis a number of its own, above 0",
+                            "jeder Achse eine eigene Nummer über 0 geben"};
 
 }  // namespace axisc::validator::says
 
@@ -58,6 +61,7 @@ void check_default_list(LoadedMachine const& machine, Report& report) {
     Place const place{.source = list->source, .span = list->tree.assignments[i].value};
     Finding& finding = report.add(place, *line_value.row, slot,
                                   {says::default_list, {{"number", number(line_value.value.number)}}});
+    finding.help.push_back({says::help_default, {}});
     react(finding, number_in_default_list, {says::reaction_aborts, {}});
     return;
   }
@@ -68,6 +72,7 @@ void check_zero(std::vector<Numbered> const& axes, Report& report) {
     if (numbered.value.value.number != 0) continue;
     report.axis = numbered.axis.name;
     Finding& finding = report.add(numbered.value, {says::zero, {}});
+    finding.help.push_back({says::help_own, {}});
     react(finding, number_zero, {says::reaction_zero, {}});
   }
 }
@@ -101,6 +106,7 @@ void check_twice(std::vector<Numbered> const& axes, bool start_up, Report& repor
       finding.related.push_back(
           {*numbered.value.value_place(), {says::also_here, {{"axis", numbered.axis.name}}}});
     }
+    finding.help.push_back({says::help_own, {}});
     react(finding, number_twice, {says::reaction_twice, {}});
   }
 }

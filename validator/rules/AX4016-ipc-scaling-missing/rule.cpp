@@ -25,6 +25,10 @@ constexpr Sentence mapping_sercos{
     "die Prozessdaten müssen die additive Geschwindigkeit enthalten, bei SERCOS S-0-0037"};
 constexpr Sentence reaction{"it reports that the cyclic telegram has no additive velocity",
                             "sie meldet, dass das zyklische Telegramm keine additive Geschwindigkeit hat"};
+constexpr Sentence help{
+    "set `antr.v_reso_num`, `antr.v_reso_denom` and `antr.v_time_base` as the drive is configured",
+    "`antr.v_reso_num`, `antr.v_reso_denom` und `antr.v_time_base` so setzen, wie der Antrieb konfiguriert "
+    "ist"};
 
 }  // namespace axisc::validator::says
 
@@ -51,6 +55,7 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
   machine::DriveType const* const drive = drive_of(loaded(axis));
   bool const sercos = drive != nullptr && drive->word == "SERCOS";
   finding.notes.push_back({sercos ? says::mapping_sercos : says::mapping, {}});
+  finding.help.push_back({says::help, {}});
   react(finding, {says::reaction, {}});
   if (last != nullptr) relate_enable(finding, view);
 }

@@ -21,6 +21,11 @@ constexpr Sentence default_item{
     "`{parameter}` ({p_axis}), das in keiner Liste steht, macht als Standardwert {cycles} Zyklen aus"};
 constexpr Sentence deviation{"at the acceleration limit the axis is {deviation} µm off",
                              "an der Beschleunigungsgrenze weicht die Achse um {deviation} µm ab"};
+constexpr Sentence help{
+    "compare with the drive's own delays; `vorsteuer.shift_time` and `vorsteuer.velocity_delay_time` set the "
+    "lead",
+    "mit den Verzögerungen des Antriebs vergleichen; `vorsteuer.shift_time` und "
+    "`vorsteuer.velocity_delay_time` stellen den Vorlauf ein"};
 
 }  // namespace axisc::validator::says
 
@@ -49,6 +54,7 @@ void feedforward_lead(AxisContext const& context, Report& report) {
   if (auto const deviation = deviation_of_lead(axis, cycles, context.cycle_time)) {
     finding.notes.push_back({says::deviation, {{"deviation", number(*deviation)}}});
   }
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ constexpr Sentence limit{
     "P-AXIS-00013: 1 ≤ a_trans_weight ≤ 1000 (0.1 %); 0 or unset is not valid",
     "P-AXIS-00013: 1 ≤ a_trans_weight ≤ 1000 (0,1 %); 0 oder nicht gesetzt ist ungültig"};
 constexpr Sentence value_here{"axis {axis} has {value} here", "die Achse {axis} hat hier {value}"};
+constexpr Sentence help{"set it to 1 to 1000 in these axes, or remove `ACC_FACT`",
+                        "es in diesen Achsen auf 1 bis 1000 setzen, oder `ACC_FACT` entfernen"};
 
 }  // namespace axisc::validator::says
 
@@ -46,6 +48,7 @@ void acc_fact_needs_weight(ProgramContext const& context, Report& report) {
       report_at_last(context, report, spans, message(says::headline, {{"axes", names_of(axes)}}));
   set_axis(finding, axes);
   finding.notes.push_back(message(says::limit));
+  finding.help.push_back(message(says::help));
   for (LoadedAxis const* const axis : axes) {
     EffectiveValue const& value = axis->merged.values.at(weight);
     if (!value.value_place()) continue;

@@ -14,6 +14,8 @@ constexpr Sentence in_all{
 constexpr Sentence active_here{"activated here for axis {axis}", "hier für die Achse {axis} aktiviert"};
 constexpr Sentence reaction{"it says that the guard now acts in all axes",
                             "sie meldet, dass er nun in allen Achsen wirkt"};
+constexpr Sentence help{"if only these axes are meant, leave `#VIB GUARD ON` out",
+                        "sind nur diese Achsen gemeint, `#VIB GUARD ON` weglassen"};
 
 }  // namespace axisc::validator::says
 
@@ -33,6 +35,7 @@ void guard_in_all_axes(ProgramContext const& context, Report& report) {
   Finding& finding =
       report_at_last(context, report, spans, message(says::in_all, {{"axes", names_of(axes)}}));
   relate_values(finding, axes, "vib_guard.active", says::active_here);
+  finding.help.push_back(message(says::help));
   set_reaction(finding, says::reaction);
 }
 

@@ -22,6 +22,9 @@ constexpr Sentence slowest{"`{filter}` is the slowest filter of the chain",
 constexpr Sentence frequency{"`{parameter}` is {value} Hz", "`{parameter}` ist {value} Hz"};
 constexpr Sentence time{"`{parameter}` is {value} µs", "`{parameter}` ist {value} µs"};
 constexpr Sentence cause_here{"this value makes it slow", "dieser Wert macht ihn langsam"};
+constexpr Sentence help_frequency{"raise `{parameter}`, or lower the order",
+                                  "`{parameter}` erhöhen, oder die Ordnung senken"};
+constexpr Sentence help_time{"shorten `{parameter}`", "`{parameter}` verkürzen"};
 
 }  // namespace axisc::validator::says
 
@@ -72,6 +75,8 @@ void long_settling(AxisContext const& axis, Report& report) {
   EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;
   finding.notes.push_back({by_frequency ? says::frequency : says::time,
                            {{"parameter", parameter_name(cause)}, {"value", number(cause.value.number)}}});
+  finding.help.push_back(
+      {by_frequency ? says::help_frequency : says::help_time, {{"parameter", parameter_name(cause)}}});
   if (cause.value_place()) {
     finding.related.push_back({*cause.value_place(), {says::cause_here, {}}});
   }

@@ -23,6 +23,9 @@ constexpr Sentence note{
     "Spitzen von Geschwindigkeit und Beschleunigung können um diesen Faktor wachsen; jede Bandsperre und "
     "jeder Allpass tut das"};
 constexpr Sentence filter_here{"`{filter}` is part of the chain", "`{filter}` gehört zur Kette"};
+constexpr Sentence help{
+    "where the dynamics leave no room for it, use lower orders or a smaller share",
+    "lässt die Dynamik dafür keinen Platz, kleinere Ordnungen oder einen kleineren Signalanteil verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -47,6 +50,7 @@ void peak_gain(AxisContext const& axis, Report& report) {
                  {is_summed_up ? says::headline : says::headline_at_most, {{"gain", printed}}});
   finding.label = Message{is_summed_up ? says::label : says::label_at_most, {{"gain", printed}}};
   finding.notes.push_back({says::note, {}});
+  finding.help.push_back({says::help, {}});
   for (ChainLink const& link : chain) {
     FilterView const& filter = *link.filter;
     if (filter.index == last.index || !filter.enable.value_place()) continue;

@@ -15,6 +15,7 @@ constexpr Sentence note{
     "is not",
     "bis {limit} Hz stimmt jede Antwort auf 1e-09 mit der entworfenen überein; nahe der halben Abtastrate "
     "nicht"};
+constexpr Sentence help{"use a frequency up to {limit} Hz", "eine Frequenz bis {limit} Hz verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -36,6 +37,7 @@ void reduced_accuracy(FilterContext const& context, Report& report) {
                  {says::headline, {{"filter", filter_name(filter)}, {"error", format_rounded(error, 1)}}});
   finding.label = Message{says::label, {{"limit", number(limit)}}};
   finding.notes.push_back({says::note, {{"limit", number(limit)}}});
+  finding.help.push_back({says::help, {{"limit", number(limit)}}});
 }
 
 }  // namespace

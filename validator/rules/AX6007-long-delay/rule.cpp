@@ -12,6 +12,8 @@ constexpr Sentence note{
     "above 100 ms every stop, corner and feed hold lags noticeably; is the frequency in Hz, the time in µs?",
     "über 100 ms kommt jeder Halt, jede Ecke und jeder Vorschubhalt merklich später; ist die Frequenz in Hz, "
     "die Zeit in µs?"};
+constexpr Sentence help{"use a higher frequency, or a shorter time",
+                        "eine höhere Frequenz oder eine kürzere Zeit verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -29,6 +31,7 @@ void long_delay(AxisContext const& axis, Report& report) {
       report.add(*delay->cause, {says::headline, {{"milliseconds", format_rounded(seconds * 1e3, 3)}}});
   finding.label = Message{says::contributions, {{"shares", shares_text(*delay)}}};
   finding.notes.push_back({says::note, {}});
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace

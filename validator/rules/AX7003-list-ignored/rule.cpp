@@ -9,6 +9,8 @@ constexpr Sentence headline{"`{parameter}` is not read: `{count}` is {number}",
 constexpr Sentence missing{"`{parameter}` is not read: no line sets `{count}`",
                            "`{parameter}` wird nicht gelesen: keine Zeile setzt `{count}`"};
 constexpr Sentence count_here{"the number is set here", "hier wird die Anzahl gesetzt"};
+constexpr Sentence help{"set `{count}` to at least {needed}, or remove the entry",
+                        "`{count}` auf mindestens {needed} setzen, oder den Eintrag entfernen"};
 
 }  // namespace axisc::validator::says
 
@@ -25,13 +27,16 @@ struct Array {
     std::vector<Argument> arguments{
         {"parameter", std::string(name) + "[" + std::to_string(entry.index) + "]"},
         {"count", std::string(count_name)}};
+    Message help{says::help,
+                 {{"count", std::string(count_name)}, {"needed", std::to_string(entry.index + 1)}}};
     if (!count) {
-      report.add(entry.file.place, {says::missing, std::move(arguments)});
+      report.add(entry.file.place, {says::missing, std::move(arguments)}).help.push_back(std::move(help));
       return;
     }
     arguments.push_back({"number", std::to_string(count->number)});
-    report.add(entry.file.place, {says::headline, std::move(arguments)})
-        .related.push_back({count->place, {says::count_here, {}}});
+    Finding& finding = report.add(entry.file.place, {says::headline, std::move(arguments)});
+    finding.related.push_back({count->place, {says::count_here, {}}});
+    finding.help.push_back(std::move(help));
   }
 };
 

@@ -10,6 +10,9 @@ constexpr Sentence known{"the axes of this machine have the numbers {numbers}",
                          "die Achsen dieser Maschine haben die Nummern {numbers}"};
 constexpr Sentence reaction{"it reports the axis number as unknown",
                             "sie meldet die Achsnummer als unbekannt"};
+constexpr Sentence help{
+    "write one of these numbers, or name the list of the axis in the start-up list",
+    "eine dieser Nummern schreiben, oder die Liste der Achse in der Hochlaufliste nennen"};
 
 }  // namespace axisc::validator::says
 
@@ -25,6 +28,7 @@ class Numbers {
     Finding& finding =
         report_.add(number->place, {says::headline, {{"number", std::to_string(number->number)}}});
     finding.notes.push_back({says::known, {{"numbers", known()}}});
+    finding.help.push_back({says::help, {}});
     react(finding, {says::reaction, {}});
   }
 

@@ -15,6 +15,11 @@ constexpr Sentence no_count{"the start-up list configures no axis: no line sets 
                             "die Hochlaufliste konfiguriert keine Achse: keine Zeile setzt `zahl_mds`"};
 constexpr Sentence reaction{"it reports that the number of axes is wrong",
                             "sie meldet, dass die Anzahl der Achsen falsch ist"};
+constexpr Sentence help_count{"write {configured}, or add what is missing",
+                              "{configured} schreiben, oder ergänzen, was fehlt"};
+constexpr Sentence help_axes{
+    "set `zahl_mds` to the number of axis lists, and name them as `achs_mds[0]` and so on",
+    "`zahl_mds` auf die Anzahl der Achslisten setzen, und diese als `achs_mds[0]` und so weiter nennen"};
 
 }  // namespace axisc::validator::says
 
@@ -38,6 +43,7 @@ void check_count(std::string_view parameter, std::optional<configuration::ListCo
                               : Argument{"configured", std::to_string(configured)});
   Finding& finding =
       report.add(count->place, {outside ? says::outside : says::headline, std::move(arguments)});
+  if (!outside) finding.help.push_back({says::help_count, {{"configured", std::to_string(configured)}}});
   react(finding, outside ? out_of_range : not_as_configured, {says::reaction, {}});
 }
 
@@ -53,7 +59,9 @@ void check_machine(MachineContext const& context, Report& report) {
   Message message{says::no_count, {}};
   if (count) message = {says::no_axis, {{"number", std::to_string(count->number)}}};
   // It is not documented which of its messages the control then gives.
-  report.add(place, std::move(message)).control.reset();
+  Finding& finding = report.add(place, std::move(message));
+  finding.control.reset();
+  finding.help.push_back({says::help_axes, {}});
 }
 
 void axis_count(MachineContext const& context, Report& report) {

@@ -9,6 +9,7 @@ constexpr Sentence headline{
     "die Kompensationsliste gilt für Achse {own}, die Hochlaufliste ordnet sie Achse {number} zu"};
 constexpr Sentence own_here{"the list names its axis here", "hier nennt die Liste ihre Achse"};
 constexpr Sentence reaction{"it refuses the compensation list", "sie weist die Kompensationsliste zurück"};
+constexpr Sentence help{"correct the number that is wrong", "die falsche Nummer berichtigen"};
 
 }  // namespace axisc::validator::says
 
@@ -25,6 +26,7 @@ void compensation_axis(MachineContext const& context, Report& report) {
         given->place,
         {says::headline, {{"own", std::to_string(own->number)}, {"number", std::to_string(given->number)}}});
     finding.related.push_back({own->place, {says::own_here, {}}});
+    finding.help.push_back({says::help, {}});
     react(finding, {says::reaction, {}});
   }
 }

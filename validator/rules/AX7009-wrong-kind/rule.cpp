@@ -18,6 +18,7 @@ constexpr Sentence in_project{
     "das Projekt enthält hier eine Liste anderer Art: sie enthält {kind}, erwartet wird {wanted}"};
 constexpr Sentence reaction{"it does not find the parameters that it looks for",
                             "sie findet die gesuchten Parameter nicht"};
+constexpr Sentence help_here{"name the right list here", "hier die richtige Liste nennen"};
 
 }  // namespace axisc::validator::says
 
@@ -48,6 +49,7 @@ void wrong_kind(MachineContext const& context, Report& report) {
     if (is_default_list(*context.machine.start_up, search)) {
       finding.notes.push_back({says::control_defaults, {}});
     }
+    finding.help.push_back({says::help_here, {}});
     react(finding, {says::reaction, {}});
   }
 }

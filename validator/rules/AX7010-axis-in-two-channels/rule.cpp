@@ -12,6 +12,8 @@ constexpr Sentence first_here{"first here", "zuerst hier"};
 constexpr Sentence note{
     "this is allowed for axes that programs exchange; at start-up only one channel gets it",
     "das ist für Achsen erlaubt, die Programme tauschen; beim Hochlauf erhält sie nur ein Kanal"};
+constexpr Sentence help{"if programs do not exchange it, give each channel an axis of its own",
+                        "tauschen Programme sie nicht, jedem Kanal eine eigene Achse geben"};
 
 }  // namespace axisc::validator::says
 
@@ -31,6 +33,7 @@ void axis_in_two_channels(MachineContext const& context, Report& report) {
           report.add(axis.number->place, {says::headline, {{"number", std::to_string(axis.number->number)}}});
       finding.related.push_back({known->second, {says::first_here, {}}});
       finding.notes.push_back({says::note, {}});
+      finding.help.push_back({says::help, {}});
     }
   }
 }

@@ -11,6 +11,8 @@ constexpr Sentence headline{"`{parameter}` names the list of `{first}` again",
 constexpr Sentence first_here{"first here", "zuerst hier"};
 constexpr Sentence note{"both axes get the same number (P-AXIS-00016)",
                         "beide Achsen erhalten dieselbe Nummer (P-AXIS-00016)"};
+constexpr Sentence help{"name a list of its own for each axis; what they share belongs in the default list",
+                        "für jede Achse eine eigene Liste nennen; Gemeinsames gehört in die Standardliste"};
 
 }  // namespace axisc::validator::says
 
@@ -34,6 +36,7 @@ void list_twice(MachineContext const& context, Report& report) {
         {says::headline, {{"parameter", entry_name(entry)}, {"first", entry_name(*known->second)}}});
     finding.related.push_back({known->second->file.place, {says::first_here, {}}});
     finding.notes.push_back({says::note, {}});
+    finding.help.push_back({says::help, {}});
   }
 }
 

@@ -11,6 +11,8 @@ constexpr Sentence note{
     "Programme verwenden den Namen der Kanalliste (P-CHAN-00006); Meldungen der Steuerung können den anderen "
     "nennen"};
 constexpr Sentence own_here{"the list says so here", "hier sagt es die Liste"};
+constexpr Sentence help{"if the difference is not meant, change one of the names",
+                        "ist der Unterschied nicht gewollt, einen der Namen ändern"};
 
 }  // namespace axisc::validator::says
 
@@ -33,6 +35,7 @@ void name_contradiction(MachineContext const& context, Report& report) {
                      {says::headline, {{"name", named.name->text}, {"own", std::string(own.value.text)}}});
       finding.related.push_back({*own.value_place(), {says::own_here, {}}});
       finding.notes.push_back({says::note, {}});
+      finding.help.push_back({says::help, {}});
     }
   }
 }

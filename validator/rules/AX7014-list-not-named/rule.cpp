@@ -7,6 +7,9 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"no start-up list in this folder names this list",
                             "keine Hochlaufliste in diesem Ordner nennt diese Liste"};
 constexpr Sentence reaction{"it does not read the list", "sie liest die Liste nicht"};
+constexpr Sentence help{
+    "name it in the start-up list, delete it, or leave it out with \"exclude\" in axisc.json",
+    "sie in der Hochlaufliste nennen, löschen, oder mit \"exclude\" in axisc.json auslassen"};
 
 }  // namespace axisc::validator::says
 
@@ -20,7 +23,9 @@ void list_not_named(MachineContext const& context, Report& report) {
     for (NamedList const& named : *lists) {
       std::uint32_t const begin = context.sources[named.list.source].text_begin();
       Place const place{.source = named.list.source, .span = {.begin = begin, .end = begin}};
-      set_reaction(report.add(place, message(says::headline)), says::reaction);
+      Finding& finding = report.add(place, message(says::headline));
+      set_reaction(finding, says::reaction);
+      finding.help.push_back(message(says::help));
     }
   }
 }

@@ -20,6 +20,8 @@ constexpr Sentence weights_count{
     "`{parameter}` has no effect: only with P-CHAN-00117 = 2 it counts instead of P-AXIS-00013 and 00154",
     "`{parameter}` hat keine Wirkung: nur bei P-CHAN-00117 = 2 gilt es anstelle von P-AXIS-00013 und 00154"};
 constexpr Sentence too{"neither has `{parameter}`", "ebenso wenig `{parameter}`"};
+constexpr Sentence help{"leave it where the channel list is to change; else remove the line",
+                        "stehen lassen, wenn sich die Kanalliste noch ändert; sonst die Zeile entfernen"};
 
 }  // namespace axisc::validator::says
 
@@ -57,6 +59,7 @@ void report_unused(LoadedAxis const& axis, std::span<std::string_view const> nam
   report.axis = axis.name;
   EffectiveValue const& first = *unused.front();
   Finding& finding = report.add(first, message(headline, {{"parameter", parameter_name(first)}}));
+  finding.help.push_back(message(says::help));
   for (EffectiveValue const* const other : std::span(unused).subspan(1)) {
     finding.related.push_back({.place = *other->value_place(),
                                .message = message(says::too, {{"parameter", parameter_name(*other)}})});

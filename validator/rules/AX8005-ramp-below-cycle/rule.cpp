@@ -14,6 +14,7 @@ constexpr Sentence headline{
 constexpr Sentence limit{"a ramp time counts from {limit} on, the cycle time",
                          "eine Rampenzeit wirkt ab {limit}, der Zykluszeit"};
 constexpr Sentence too{"so is `{parameter}`", "ebenso `{parameter}`"};
+constexpr Sentence help{"write at least {limit}", "mindestens {limit} schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -40,6 +41,7 @@ void ramp_below_cycle(AxisContext const& context, Report& report) {
   Finding& finding = report.add(first, {says::headline, {{"parameter", parameter_name(first)}}});
   finding.label = time_in_cycles(first.value.number, context.cycle_time);
   finding.notes.push_back({says::limit, {{"limit", microseconds(cycle)}}});
+  finding.help.push_back({says::help, {{"limit", microseconds(cycle)}}});
   for (EffectiveValue const* const other : std::span(short_ones).subspan(1)) {
     finding.related.push_back({*other->value_place(), {says::too, {{"parameter", parameter_name(*other)}}}});
   }

@@ -14,6 +14,7 @@ constexpr Sentence limit{"G08, G09, G193 and G293 exclude each other",
                          "G08, G09, G193 und G293 schließen einander aus"};
 constexpr Sentence other_here{"the other word", "das andere Wort"};
 constexpr Sentence reaction{"it aborts the program", "sie bricht das Programm ab"};
+constexpr Sentence help{"leave out one of them", "eines davon weglassen"};
 
 }  // namespace axisc::validator::says
 
@@ -39,6 +40,7 @@ void words_exclude(ProgramContext const& context, Report& report) {
                                   message(says::headline, {{"word", written(other->span)},
                                                            {"other", written(functions.front().span)}}));
     finding.notes.push_back(message(says::limit));
+    finding.help.push_back(message(says::help));
     finding.related.push_back(
         {.place = {.source = source, .span = functions.front().span}, .message = message(says::other_here)});
     set_reaction(finding, says::reaction);

@@ -23,6 +23,8 @@ constexpr Sentence undocumented{
     "weights above 100 % have no effect",
     "was die Steuerung dann tut, ist nicht dokumentiert; axisc plant mit der Vorschubbeschleunigung, und ein "
     "Gewicht über 100 % bewirkt nichts"};
+constexpr Sentence help{"raise it to at least {value}, or leave it out: then P-AXIS-00008 counts",
+                        "auf mindestens {value} erhöhen, oder weglassen: dann gilt P-AXIS-00008"};
 
 }  // namespace axisc::validator::says
 
@@ -78,6 +80,7 @@ void weight_cap_too_low(GroupContext const& context, Report& report) {
                                       {{"acceleration", name}, {"value", physical_of(*acceleration)}}));
     }
     finding.notes.push_back(message(says::undocumented));
+    finding.help.push_back(message(says::help, {{"value", physical_of(*acceleration)}}));
   }
 }
 
