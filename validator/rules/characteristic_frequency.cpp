@@ -48,6 +48,18 @@ void add_stages(PositionControlView const& position_control, Frequencies& found)
   }
 }
 
+/// Of both spellings.
+void add_distance_control(EffectiveValues const& values, Frequencies& found) {
+  for (std::string const family : {"kenngr.distc.", "kenngr.dist_ctrl[]."}) {
+    EffectiveValue const& frequency = values.at(family + "low_pass_filter_fg_f0");
+    EffectiveValue const& type = values.at(family + "filter_type");
+    bool const is_used = values.at(family + "low_pass_filter_enable").is_on() ||
+                         (!type.unusable && type.value.text == "LOWPASS");
+    if (frequency.unusable || !frequency.set() || !is_used) continue;
+    found.push_back({frequency, frequency, family + "low_pass_filter", Filtering::distance_control});
+  }
+}
+
 }  // namespace
 
 std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext const& axis) {
@@ -56,6 +68,7 @@ std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext cons
   add_windowed_sinc(axis.fir, found);
   add_vibration_guard(axis.values, found);
   add_stages(axis.position_control, found);
+  add_distance_control(axis.values, found);
   return found;
 }
 

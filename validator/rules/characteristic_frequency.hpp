@@ -10,7 +10,7 @@
 namespace axisc::validator::checks {
 
 /// The part of the control that designs a filter and reports about it.
-enum class Filtering : std::uint8_t { setpoint, vibration_guard, position_controller };
+enum class Filtering : std::uint8_t { setpoint, vibration_guard, position_controller, distance_control };
 
 /// References stay valid while the EffectiveValues live.
 struct CharacteristicFrequency {
@@ -21,8 +21,8 @@ struct CharacteristicFrequency {
 };
 
 /// The frequencies of the active standard filters, of a configured HSC NoVib or windowed sinc, of the
-/// Vibration Guard, which a program may switch on, and of the active stages of Improved Position Control, if
-/// a list or a meaningful default sets one.
+/// Vibration Guard, which a program may switch on, of the active stages of Improved Position Control, if
+/// a list or a meaningful default sets one, and of the low-pass of the distance control that is in use.
 [[nodiscard]] std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext const& axis);
 
 }  // namespace axisc::validator::checks

@@ -16,6 +16,8 @@ constexpr Sentence help_lower{
     "choose a frequency below {limit} Hz; setpoints that come once per cycle hold nothing above it",
     "eine Frequenz unter {limit} Hz wählen; Sollwerte, die einmal je Zyklus kommen, enthalten nichts "
     "darüber"};
+constexpr Sentence axis_stops{"it cannot design the filter and stops the axis",
+                              "sie kann den Filter nicht entwerfen und hält die Achse an"};
 constexpr Sentence limit{"{p_axis}: 0 < f < 0.5/T = {limit} Hz for `{user}`",
                          "{p_axis}: 0 < f < 0,5/T = {limit} Hz für `{user}`"};
 
@@ -28,12 +30,14 @@ namespace {
 constexpr std::string_view setpoint_refused = "50557";
 constexpr std::string_view guard_refused = "50913";
 constexpr std::string_view position_controller_refused = "70420";
+constexpr std::string_view distance_control_refused = "70458";
 
 std::string_view message_of(Filtering filtering) {
   switch (filtering) {
     case Filtering::setpoint: return setpoint_refused;
     case Filtering::vibration_guard: return guard_refused;
     case Filtering::position_controller: return position_controller_refused;
+    case Filtering::distance_control: return distance_control_refused;
   }
   return {};
 }
@@ -61,18 +65,23 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
     } else {
       finding.help.push_back({says::help_lower, {{"limit", limit}}});
     }
-    react(finding, message_of(found.filtering), {says::filter_reaction_refused, {}});
+    bool const stops = found.filtering == Filtering::distance_control;
+    react(finding, message_of(found.filtering),
+          {stops ? says::axis_stops : says::filter_reaction_refused, {}});
   }
 }
 
 }  // namespace
 
 extern constinit Rule const ax3002{
-    .control = control_numbers<setpoint_refused, guard_refused, position_controller_refused>,
+    .control = control_numbers<setpoint_refused, guard_refused, position_controller_refused,
+                               distance_control_refused>,
     .parameters =
         "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype filter_fir.fcut "
         "filter_fir.type vib_guard.freq vib_guard.mode ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 "
-        "ipc.stage[].mode ipc.enable",
+        "ipc.stage[].mode ipc.enable kenngr.distc.low_pass_filter_fg_f0 kenngr.distc.low_pass_filter_enable "
+        "kenngr.distc.filter_type kenngr.dist_ctrl[].low_pass_filter_fg_f0 "
+        "kenngr.dist_ctrl[].low_pass_filter_enable kenngr.dist_ctrl[].filter_type",
     .needs = Needs::cycle_time,
     .check = frequency_above_nyquist,
 };

@@ -23,7 +23,9 @@ namespace {
 void frequency_zero(AxisContext const& axis, Report& report) {
   for (CharacteristicFrequency const& found : characteristic_frequencies(axis)) {
     if (found.frequency.value.number > 0) continue;
-    if (found.filtering == Filtering::vibration_guard) continue;  // its range begins at 1 Hz
+    // The guard's range begins at 1 Hz, that of the distance control at 0.
+    if (found.filtering == Filtering::vibration_guard) continue;
+    if (found.filtering == Filtering::distance_control) continue;
     Finding& finding = report.add(
         found.anchor,
         {says::headline, {{"frequency", number(found.frequency.value.number)}, {"user", found.user}}});
