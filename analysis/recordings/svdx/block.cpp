@@ -175,8 +175,9 @@ std::variant<BlockHead, BadRecording> read_block_head(SvdxBlock const& block, Sa
     auto const room = bytes.size() - end;
     bool const has_room = count <= room / (level == 0 ? 1 : entry_size);
     if (!is_sound_level || !has_room) return bad(RecordingProblem::bad_block, at);
-    head.levels[level] = {.count = count, .offset = end};
-    if (level > 0) end += count * entry_size;
+    auto const entries = static_cast<std::size_t>(count);
+    head.levels[level] = {.count = entries, .offset = end};
+    if (level > 0) end += entries * entry_size;
   }
   return head;
 }
