@@ -1,6 +1,5 @@
 #include "axisc/answers/comparison/compare_answer.hpp"
-#include "axisc/answers/execution/recorded_switches.hpp"
-#include "axisc/checking/compiled_input.hpp"
+#include "axisc/answers/execution/recorded_input.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/compare_options.hpp"
 #include "cli/commands/sentences.hpp"
@@ -109,15 +108,14 @@ ExitStatus compare_filters(CompareOptions const& options, Invocation const& invo
                      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!input) return ExitStatus::findings;
   auto const& image = input->image.contents;
-  RecordedMachine const machine{
-      .path = *options.input, .image = image, .machine = input->machine ? &input->machine->machine : nullptr};
-  auto const recording = open_recording(*options.recording);
-  auto const axis = recorded_axis(machine, options.axis ? options.axis : input->axis(), recording);
-  auto const commands =
-      read_timed_commands(options.commands, input->image, *options.input, invocation.language);
-  auto const recorded = compare_axis(machine, axis, recording, columns, options.numbers.units(),
-                                     kernel_switches(commands, image, axis, *options.input));
-  refuse_late(commands, recorded.columns.recording.input.size());
+  auto const [axis, recorded] = recorded_input({.input = *options.input,
+                                                .recording = *options.recording,
+                                                .axis = options.axis,
+                                                .commands = options.commands,
+                                                .columns = columns,
+                                                .units = options.numbers.units(),
+                                                .language = invocation.language},
+                                               *input);
   if (options.emitted == Emitted::settings) {
     return emit_filters(recorded.result, image::readings_of(image, axis), invocation);
   }

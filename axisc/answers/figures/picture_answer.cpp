@@ -1,6 +1,6 @@
 #include "axisc/answers/figures/picture_answer.hpp"
 
-#include "axisc/answers/execution/recorded_switches.hpp"
+#include "axisc/answers/execution/recorded_input.hpp"
 #include "axisc/answers/execution/timed_commands.hpp"
 #include "axisc/answers/figures/compare_figure.hpp"
 #include "axisc/answers/figures/path_figure.hpp"
@@ -144,16 +144,16 @@ pictures::Figure driven_figure(PictureQuestion const& question, Plotted& now, Pl
 
 pictures::Figure compared(PictureQuestion const& question, InputImage const& input) {
   auto const& contents = input.image.contents;
-  RecordedMachine const machine{.path = question.input,
-                                .image = contents,
-                                .machine = input.machine ? &input.machine->machine : nullptr};
-  auto const recording = open_recording(*question.recording);
-  auto const axis = recorded_axis(machine, question.axis ? question.axis : input.axis(), recording);
-  auto const commands =
-      read_timed_commands(question.commands, input.image, question.input, question.language);
-  auto const found = compare_axis(machine, axis, recording, question.columns, question.units,
-                                  kernel_switches(commands, contents, axis, question.input));
-  return compare_figure(found, axis_label(contents, axis), contents.cycle_time.seconds(), question.language);
+  auto const [axis, recorded] = recorded_input({.input = question.input,
+                                                .recording = *question.recording,
+                                                .axis = question.axis,
+                                                .commands = question.commands,
+                                                .columns = question.columns,
+                                                .units = question.units,
+                                                .language = question.language},
+                                               input);
+  return compare_figure(recorded, axis_label(contents, axis), contents.cycle_time.seconds(),
+                        question.language);
 }
 
 /// None after mistakes in the program, which are printed.
