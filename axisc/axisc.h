@@ -90,9 +90,10 @@ typedef enum axisc_fixes {
   AXISC_FIX_SAFE = 0, /* as `axisc lint --fix`: nothing that could change what the machine does */
   AXISC_FIX_ALL = 1   /* as --fix=all */
 } axisc_fixes;
-/* Repairs. The new bytes are unsaved text; `changed` becomes a JSON array of their paths. After a result
- * below 0 nothing has changed. `fixes`: an axisc_fixes. */
-int axisc_fix(axisc_workspace* workspace, char const* path, int fixes, axisc_bytes* changed);
+/* Repairs. The new bytes are unsaved text; `report` becomes a JSON object, {"version": 1, "files": an array
+ * of their paths, "fixed": the number of findings that were repaired}. After a result below 0 nothing has
+ * changed. `fixes`: an axisc_fixes. */
+int axisc_fix(axisc_workspace* workspace, char const* path, int fixes, axisc_bytes* report);
 
 /* The image of the machine that the file belongs to, or of the only one in a folder. `options`: a JSON object
  * as the options of `axisc compile`, {"strip": "yes", "bounds": "no", "image_version": "7"}, or null.
@@ -102,20 +103,25 @@ int axisc_compile(axisc_workspace* workspace, char const* path, char const* opti
 
 /* A JSON object of texts: "question" names one of those below, "input" the file or folder it is about; lists
  * are judged in their machine.
- *   machine_of    the path of the machine that the file belongs to; its own if there is none
+ *   machines      the machines in a folder, or that of a file: what describes it, and what says its NC cycle
+ *                 time                                       "format"
  *   machine       what it consists of                        "format"
  *   get           values in force: "words" are an axis and parameters, blanks between them; "format"
+ *   filters       those of each axis in words, and their delay   "format"
  *   contour       what its filters do to a path              "format"
  *   delay_budget  what delays its axes                       "format"
  *   diff          what differs from "before", another input  "format"
  *   inspect       what is in an image                        "axis", "format"
  *   response      "axis", "port" (setpoint, interface, velocity), "frequencies" ("10,20"); "format"
- *   picture       "kind" as `axisc plot` has them but compare, "axis", "group", "before", "program", "plant",
- *                 "move"; an SVG
+ *   compare       what a scope recorded beside what is computed: "recording", "axis", "in", "out" (columns);
+ *                 "format"
+ *   picture       "kind" as `axisc plot` has them, "axis", "group", "before", "program", "plant", "move",
+ *                 "recording", "in", "out"; an SVG
  *   report        the acceptance report                      "before", "title", "customer", "author", "date";
  *                 HTML
  *   explain       "word": a code, a parameter, a message     "format"
- * "format" is text (default), json, csv, markdown or html. */
+ * "format" is text (default), json, csv, markdown or html. The files of "program", "plant" and "recording"
+ * are read from the disk. */
 int axisc_answer(axisc_workspace* workspace, char const* question, axisc_bytes* answer);
 
 /* Language server protocol: a JSON array of messages that arrived together, as texts; becomes the array of

@@ -1,4 +1,5 @@
-// What every function of axisc.h does around its work: a call at a time, and no exception leaves the library.
+// What every function of axisc.h does around its work: one call at a time, and no exception leaves the
+// library.
 #pragma once
 
 #include "axisc/interface/workspace_object.hpp"

@@ -175,8 +175,8 @@ int axisc_check(axisc_workspace* workspace, char const* path, axisc_bytes* findi
               });
 }
 
-int axisc_fix(axisc_workspace* workspace, char const* path, int fixes, axisc_bytes* changed) {
-  return call(workspace, {path, changed}, changed,
+int axisc_fix(axisc_workspace* workspace, char const* path, int fixes, axisc_bytes* report) {
+  return call(workspace, {path, report}, report,
               [&](axisc_workspace& object, std::optional<Now>& opened_now) -> int {
                 require(fixes == AXISC_FIX_SAFE || fixes == AXISC_FIX_ALL);
                 object.input = named(path);
@@ -191,9 +191,11 @@ int axisc_fix(axisc_workspace* workspace, char const* path, int fixes, axisc_byt
                 std::erase_if(fixed.original, [&](auto const& original) {
                   return fixed.edited.at(original.first) == original.second;
                 });
-                auto paths = nlohmann::json::array();
-                for (auto const& [file, before] : fixed.original) paths.push_back(file);
-                give(paths.dump(), changed);
+                auto files = nlohmann::json::array();
+                for (auto const& [file, before] : fixed.original) files.push_back(file);
+                nlohmann::ordered_json const answer{
+                    {"version", 1}, {"files", std::move(files)}, {"fixed", fixed.facts.applied}};
+                give(answer.dump(), report);
                 for (auto const& [file, before] : fixed.original)
                   object.unsaved[validator::key_of(file)] = fixed.edited.at(file);
                 return AXISC_OK;

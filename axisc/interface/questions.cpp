@@ -1,13 +1,17 @@
 #include "axisc/interface/questions.hpp"
 
+#include "axisc/answers/comparison/compare_answer.hpp"
 #include "axisc/answers/contour/contour_answer.hpp"
 #include "axisc/answers/contour/delay_budget_answer.hpp"
 #include "axisc/answers/difference/difference_answer.hpp"
+#include "axisc/answers/execution/recorded_input.hpp"
 #include "axisc/answers/execution/response_answer.hpp"
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/figures/picture_answer.hpp"
+#include "axisc/answers/inspect/filters_answer.hpp"
 #include "axisc/answers/inspect/inspect_answer.hpp"
 #include "axisc/answers/machine/machine_answer.hpp"
+#include "axisc/answers/machine/machines_answer.hpp"
 #include "axisc/answers/report/report_answer.hpp"
 #include "axisc/answers/values/values_answer.hpp"
 #include "axisc/asked/frequencies.hpp"
@@ -48,8 +52,16 @@ Answer machine(Workspace& workspace, Asked const& asked, ErrorSink const& errors
   return written(machine_answer(loaded, sources), asked, errors.language);
 }
 
-Answer machine_of(Workspace& workspace, Asked const& asked, ErrorSink const& /*errors*/) {
-  return machine_of_input(workspace, {.input = asked.text("input")}).machine;
+Answer machines(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  return written(machines_answer(workspace, asked.text("input")), asked, errors.language);
+}
+
+Answer filters(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  auto const path = asked.text("input");
+  auto const input = compiled_input(workspace, {.input = path}, errors);
+  if (!input) return std::nullopt;
+  auto const& name = input->machine ? input->machine->machine.name : path;
+  return written(filters_answer(name, input->image), asked, errors.language);
 }
 
 Answer contour(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
@@ -122,9 +134,24 @@ Answer picture(Workspace& workspace, Asked const& asked, ErrorSink const& errors
   question.program = asked.find("program");
   question.plant = asked.find("plant");
   question.move = asked.find("move");
+  question.recording = asked.find("recording");
+  question.columns = {.input = asked.find("in"), .output = asked.find("out")};
   question.language = errors.language;
   auto const figure = picture_answer(workspace, question, errors);
   return figure ? Answer(pictures::svg(*figure, errors.language)) : std::nullopt;
+}
+
+Answer compare(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  RecordedQuestion const question{.input = asked.text("input"),
+                                  .recording = asked.text("recording"),
+                                  .axis = asked.find("axis"),
+                                  .commands = {},
+                                  .columns = {.input = asked.find("in"), .output = asked.find("out")},
+                                  .language = errors.language};
+  auto const input = compiled_input(workspace, {.input = question.input}, errors);
+  if (!input) return std::nullopt;
+  auto const [axis, recorded] = recorded_input(question, *input);
+  return written(compare_answer(axis_label(input->image.contents, axis), recorded), asked, errors.language);
 }
 
 Answer report(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
@@ -153,14 +180,18 @@ struct Question {
 
 constexpr std::array questions = {
     Question{.name = "machine", .keys = "input format", .answer = machine},
-    Question{.name = "machine_of", .keys = "input", .answer = machine_of},
+    Question{.name = "machines", .keys = "input format", .answer = machines},
+    Question{.name = "filters", .keys = "input format", .answer = filters},
     Question{.name = "get", .keys = "input words format", .answer = get},
     Question{.name = "contour", .keys = "input format", .answer = contour},
     Question{.name = "delay_budget", .keys = "input format", .answer = delay_budget},
     Question{.name = "diff", .keys = "input before format", .answer = diff},
     Question{.name = "inspect", .keys = "input axis format", .answer = inspect},
     Question{.name = "response", .keys = "input axis port frequencies format", .answer = response},
-    Question{.name = "picture", .keys = "input kind axis group before program plant move", .answer = picture},
+    Question{.name = "picture",
+             .keys = "input kind axis group before program plant move recording in out",
+             .answer = picture},
+    Question{.name = "compare", .keys = "input recording axis in out format", .answer = compare},
     Question{.name = "report", .keys = "input before title customer author date", .answer = report},
     Question{.name = "explain", .keys = "word format", .answer = explain}};
 

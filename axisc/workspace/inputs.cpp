@@ -4,6 +4,7 @@
 #include "axisc/files/disk_files.hpp"
 #include "axisc/files/path_identity.hpp"
 #include "axisc/settings/glob.hpp"
+#include "axisc/workspace/machine_inputs.hpp"
 #include "axisc/workspace/machine_outline.hpp"
 #include "axisc/workspace/response_file.hpp"
 #include "configuration/project_file.hpp"
@@ -319,17 +320,12 @@ Inputs expand_inputs(std::vector<std::string> const& words, Expansion::Wanted co
 }
 
 std::string machine_input(std::string const& name) {
-  if (name == "-" || system::kind_of(name) != system::FileKind::folder) {
-    return system::name_of(system::path_of(name));
-  }
-  auto inputs = expand_inputs({name});
-  if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
-  std::erase_if(inputs.paths, [](std::string const& path) { return !outline_of(path).is_machine; });
-  if (inputs.paths.size() == 1) return inputs.paths.front();
-  if (inputs.paths.empty()) {
+  auto machines = machine_inputs(name);
+  if (machines.size() == 1) return std::move(machines.front());
+  if (machines.empty()) {
     throw Failure({says::no_machine, {{"folder", name}}}, cannot_read);
   }
-  throw Failure({says::several_machines, {{"folder", name}, {"machines", joined(inputs.paths)}}});
+  throw Failure({says::several_machines, {{"folder", name}, {"machines", joined(machines)}}});
 }
 
 }  // namespace axisc

@@ -175,7 +175,7 @@ class Workspace:
     def answer(self, question: str, *, format: str = "json", **options: object) -> Any:
         """A question of axisc.h. JSON as objects; other formats, pictures and pages as text."""
         asked = {"question": question, "format": format, **options}
-        if question in ("machine_of", "picture", "report"):
+        if question in ("picture", "report"):
             del asked["format"]
         texts = {key: os.fspath(value) if isinstance(value, os.PathLike) else str(value)
                  for key, value in asked.items() if value is not None}
@@ -244,8 +244,8 @@ class Machine:
     def fix(self, *, all: bool = False) -> dict[str, bytes]:
         """What repairs change, by path, as `axisc lint --fix` (or --fix=all): nothing is written to the disk, the
         workspace keeps the new bytes as unsaved text."""
-        changed = json.loads(self.workspace._call("fix", _path(self.path), int(all)))
-        return {path: self.workspace.read(path) for path in changed}
+        report = json.loads(self.workspace._call("fix", _path(self.path), int(all)))
+        return {path: self.workspace.read(path) for path in report["files"]}
 
     def compile(self, *, strip: bool = False, bounds: bool = True, image_version: int = 0) -> bytes:
         """The coefficient image, as `axisc compile`. FindingsError where lists have errors."""

@@ -2,6 +2,8 @@
 #include "axisc/axisc.h"
 #include "cli/program.hpp"
 #include "support/catch.hpp"
+#include "support/golden.hpp"
+#include "support/sarif_schema.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <filesystem>
@@ -75,6 +77,10 @@ std::string bytes_of(fs::path const& path) {
 /// Without what the program alone says: its version, and fingerprints that count from a repository.
 Json findings_in(std::string const& json) {
   return json.empty() ? Json() : Json::parse(json).at("diagnostics");
+}
+
+std::vector<std::string> complaints(std::string const& json, std::string const& schema) {
+  return schema_complaints(json, read_source_file("docs/schemas/" + schema + ".schema.json"));
 }
 
 std::vector<std::string> lists_and_programs() {
@@ -154,11 +160,16 @@ TEST_CASE("axisc.h repairs as lint --fix does, and writes nothing") {
   fs::copy_file(samples + "/mistakes/typing.lis", list);
   auto const before = bytes_of(list);
   Opened opened;
-  CHECK(Json::parse(opened.fix(list)) == Json::array({list}));
+  auto const report = opened.fix(list);
+  CHECK(complaints(report, "fix").empty());
   auto const repaired = opened.call(axisc_read, list);
   CHECK(bytes_of(list) == before);
-  static_cast<void>(run_axisc({"lint", "--fix", list}));
+  auto const lint = run_axisc({"lint", "--fix", list});
   CHECK(repaired == bytes_of(list));
+  auto const parsed = Json::parse(report);
+  CHECK(parsed.at("files") == Json::array({list}));
+  CHECK_THAT(lint.out + lint.err, Catch::Matchers::Contains(parsed.at("fixed").dump() + " findings"));
+  CHECK(Json::parse(opened.fix(list)) == Json{{"version", 1}, {"files", Json::array()}, {"fixed", 0}});
 }
 
 TEST_CASE("axisc.h takes unsaved text in the place of a file, and settings as they are now") {
@@ -201,12 +212,119 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
   CHECK(ask({{"question", "explain"}, {"word", "AX3005"}, {"format", "markdown"}}) ==
         run_axisc({"explain", "AX3005"}).out);
   CHECK(ask({{"question", "report"}, {"input", mill}}) == run_axisc({"report", mill, "-o", "-"}).out);
-  CHECK(ask({{"question", "machine_of"}, {"input", mill + "/x.lis"}}) == mill + "/machine.json");
+  auto const recorded = samples + "/recording/";
+  for (std::string const format : {"json", "markdown"}) {
+    CHECK(ask({{"question", "compare"},
+               {"input", recorded + "x.lis"},
+               {"recording", recorded + "scope.csv"},
+               {"format", format}}) ==
+          run_axisc({"compare", recorded + "x.lis", recorded + "scope.csv", "--format", format}).out);
+  }
+  CHECK(ask({{"question", "picture"},
+             {"kind", "compare"},
+             {"input", recorded + "x.lis"},
+             {"recording", recorded + "scope.csv"}}) ==
+        run_axisc({"plot", recorded + "x.lis", "--kind", "compare", "--recording", recorded + "scope.csv",
+                   "-o", "-"})
+            .out);
   for (auto const* const kind : {"response", "step", "delay", "corner", "circle"}) {
     INFO(kind);
     CHECK(ask({{"question", "picture"}, {"input", mill}, {"kind", kind}}) ==
           run_axisc({"plot", mill, "--kind", kind, "-o", "-"}).out);
   }
+}
+
+namespace {
+
+/// The answer to `machines`, without its version.
+Json machines_of(Opened& opened, std::string const& input) {
+  auto const text = opened.call(
+      axisc_answer, Json({{"question", "machines"}, {"input", input}, {"format", "json"}}).dump());
+  INFO(opened.error());
+  REQUIRE(opened.status == AXISC_OK);
+  CHECK(complaints(text, "machines").empty());
+  return Json::parse(text).at("machines");
+}
+
+}  // namespace
+
+TEST_CASE("axisc.h finds the machines of a folder and of a file, and what says their cycle time") {
+  Opened opened(R"({"cycle_time": "3ms"})");
+  auto const mill = samples + "/mill/machine.json";
+  auto const of_list = machines_of(opened, samples + "/mill/y.lis");
+  REQUIRE(of_list.size() == 1);
+  CHECK(of_list[0] == Json{{"path", mill},
+                           {"machine", "mill-3ax"},
+                           {"axes", {"X", "Y", "Z", "S"}},
+                           {"alone", false},
+                           {"axis", "Y"},
+                           {"cycle_time_us", 1000},
+                           {"cycle_time_from", mill}});
+  auto of_folder = machines_of(opened, samples + "/mill");
+  CHECK(of_folder[0].at("axis") == Json());
+  of_folder[0]["axis"] = "Y";
+  CHECK(of_folder == of_list);
+
+  // samples/controller/listen/rtconf.lis, line 5: the cycle of the thread that interpolates
+  auto const controller = machines_of(opened, samples + "/controller").at(0);
+  CHECK(controller.at("path") == samples + "/controller/listen/hochlauf.lis");
+  CHECK(controller.at("cycle_time_us") == 2000);
+  CHECK(controller.at("cycle_time_from") == samples + "/controller/listen/rtconf.lis:5");
+  CHECK(machines_of(opened, samples + "/motion").size() > 1);
+
+  TemporaryFolder const folder;
+  auto const list = folder.write("x.lis", "kopf.achs_nr 1\nkopf.log_achs_name Q\n");
+  auto const alone = machines_of(opened, list).at(0);
+  CHECK(alone.at("path") == list);
+  CHECK(alone.at("alone") == true);
+  CHECK(alone.at("axis") == "Q");
+  CHECK(alone.at("cycle_time_us") == 3000);
+  CHECK(alone.at("cycle_time_from") == Json());
+  folder.write("axisc.json", R"({"cycle_time_us": 500})");
+  CHECK(machines_of(opened, list).at(0).at("cycle_time_us") == 500);
+  CHECK(fs::equivalent(machines_of(opened, list).at(0).at("cycle_time_from").get<std::string>(),
+                       folder / "axisc.json"));
+  CHECK(machines_of(opened, folder / ".").empty());
+  opened.call(axisc_answer, Json({{"question", "machines"}, {"input", folder / "none.lis"}}).dump());
+  CHECK(opened.status == AXISC_NOT_FOUND);
+}
+
+TEST_CASE("axisc.h says filters in words, with the figures that inspect has") {
+  TemporaryFolder const folder;
+  auto const image = folder / "mill.axim";
+  REQUIRE(run_axisc({"compile", "-o", image, samples + "/mill"}).status == 0);
+  auto const inspected = Json::parse(run_axisc({"inspect", image, "--format", "json"}).out).at("axes");
+  for (auto const* const language : {"en", "de"}) {
+    Opened opened(Json({{"language", language}}).dump());
+    for (auto const& input : {samples + "/mill", samples + "/mill/x.lis", image}) {
+      INFO(language << " " << input);
+      auto const text = opened.call(
+          axisc_answer, Json({{"question", "filters"}, {"input", input}, {"format", "json"}}).dump());
+      CHECK(complaints(text, "filters").empty());
+      auto const axes = Json::parse(text).at("axes");
+      REQUIRE(axes.size() == inspected.size());
+      for (std::size_t i = 0; i < axes.size(); ++i) {
+        CHECK(axes[i].at("axis") == inspected[i].at("name"));
+        CHECK(axes[i].at("delay_ms") == inspected[i].at("delay_ms"));
+        for (auto const* const key : {"corner_frequency_hz", "overshoot_percent", "settling_ms"}) {
+          CHECK(axes[i].at(key) == inspected[i].at("chain").at(key));
+        }
+      }
+      // samples/mill/x.lis: a band-stop filter at 42 Hz
+      CHECK_THAT(
+          axes[0].at("filters").get<std::string>(),
+          Catch::Matchers::Contains(std::string(language) == "de" ? "Bandsperre 42 Hz" : "band-stop 42 Hz"));
+    }
+  }
+  Opened opened;
+  // The title is the machine's name, whichever of its files is asked about.
+  CHECK_THAT(
+      opened.call(axisc_answer, Json({{"question", "filters"}, {"input", samples + "/mill/x.lis"}}).dump()),
+      Catch::Matchers::StartsWith("filters of mill-3ax"));
+  opened.call(axisc_answer,
+              Json({{"question", "filters"}, {"input", samples + "/tutorial/machine.json"}}).dump());
+  CHECK(opened.status == AXISC_FINDINGS);
+  CHECK_FALSE(opened.error().empty());
 }
 
 TEST_CASE("axisc.h says what is wrong with a question") {
@@ -217,7 +335,7 @@ TEST_CASE("axisc.h says what is wrong with a question") {
     return opened.error();
   };
   CHECK(wrong("soon").find("JSON object") != std::string::npos);
-  CHECK(wrong(R"({"question": "weather"})").find("machine, machine_of, get") != std::string::npos);
+  CHECK(wrong(R"({"question": "weather"})").find("machine, machines, filters, get") != std::string::npos);
   CHECK(wrong(R"({"question": "machine", "file": "x"})").find("\"file\"") != std::string::npos);
   CHECK(wrong(R"({"question": "machine", "input": 1})").find("texts") != std::string::npos);
   CHECK(wrong(R"({"question": "picture", "input": ".", "kind": "cat"})").find("response, step") !=

@@ -105,7 +105,8 @@ class Images(unittest.TestCase):
         for path in MACHINES + LISTS:
             with self.subTest(path):
                 machine = axisc.open(path, cycle_time="1ms")
-                name = machine.answer("machine_of")
+                [found] = machine.answer("machines")["machines"]
+                name = found["path"]
                 if name not in wanted:
                     wanted[name] = image_by_program(name)
                 try:
@@ -172,7 +173,7 @@ class Mistakes(unittest.TestCase):
             axisc.open(MILL, language="fr")
         with self.assertRaisesRegex(axisc.BadArgument, "soon"):
             axisc.Workspace(cycle_time="soon")
-        with self.assertRaisesRegex(axisc.BadArgument, "machine_of"):
+        with self.assertRaisesRegex(axisc.BadArgument, "machines, filters"):
             axisc.open(MILL).answer("weather")
         with self.assertRaisesRegex(axisc.Unusable, "the axes are|axis"):
             axisc.open(MILL).picture("step", axis="Q")

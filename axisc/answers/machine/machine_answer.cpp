@@ -38,11 +38,6 @@ using validator::LoadedMachine;
 
 namespace {
 
-std::string place_text(Place const& place, SourceSet const& sources) {
-  auto const& source = sources[place.source];
-  return source.name() + ":" + std::to_string(source.position(place.span.begin).line);
-}
-
 std::string name_of(LoadedMachine const& machine, std::size_t group) {
   auto const& name = machine.groups[group].name;
   return name.empty() ? std::to_string(group + 1) : name;
@@ -223,6 +218,11 @@ std::optional<Words> reason_of(validator::ListSearch const& search) {
 }
 
 }  // namespace
+
+std::string place_text(Place const& place, SourceSet const& sources) {
+  auto const& source = sources[place.source];
+  return source.name() + ":" + std::to_string(source.position(place.span.begin).line);
+}
 
 std::vector<MachineLack> lacks_of(LoadedMachine const& machine, SourceSet const& sources) {
   std::vector<MachineLack> lacks;

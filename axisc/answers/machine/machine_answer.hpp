@@ -18,6 +18,9 @@ struct MachineLack {
 [[nodiscard]] std::vector<MachineLack> lacks_of(validator::LoadedMachine const& machine,
                                                 SourceSet const& sources);
 
+/// "x.lis:7".
+[[nodiscard]] std::string place_text(Place const& place, SourceSet const& sources);
+
 /// Axes, channels and cycle time, and where each was read. In JSON a machine file that means the same, whose
 /// paths count from the working folder; what the machine lacks only people see.
 [[nodiscard]] presentation::Document machine_answer(validator::LoadedMachine const& machine,
