@@ -17,7 +17,7 @@ export interface Outcome<Result> {
   /** 0; 1 where lists have errors; 2 where the question cannot be answered. */
   status: number;
   result: Result;
-  /** For people: why the status is not 0. */
+  /** For people: why the status is not 0; never empty where it is 2. */
   error: string;
 }
 export class Axisc {
@@ -29,8 +29,8 @@ export class Axisc {
   drop(path: string): void;
   read(path: string): Uint8Array;
   check(path: string): Outcome<string>;
-  /** The paths of what changed; the bytes are unsaved text. */
-  fix(path: string): Outcome<string[]>;
+  /** The paths of what changed, whose bytes are unsaved text, and how many findings were repaired. */
+  fix(path: string): Outcome<{ files: string[]; fixed: number }>;
   compile(path: string): Outcome<Uint8Array>;
   answer(question: Record<string, string | undefined>): Outcome<string>;
   /** The messages that the language server sends because of messages that arrived together. */

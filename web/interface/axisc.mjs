@@ -7,13 +7,22 @@ const bytesOf = (program, address) => {
 const safe = 0;  // AXISC_FIX_SAFE
 const [noOptions, noFindings] = [0, 0];
 const failed = 2;  // as exit status
+/** What axisc_error() has no words for. */
+const outOfMemory = 'axisc: out of memory';
+const noMemory = -6;  // AXISC_NO_MEMORY
 const textOf = (bytes) => new TextDecoder().decode(bytes);
+
+function allocate(program, size) {
+  const address = program._malloc(size);
+  if (address === 0) throw new Error(outOfMemory);
+  return address;
+}
 
 /** Calls `use` with the addresses of texts. Texts of any length: the stack of the program is small. */
 function withTexts(program, texts, use) {
   const addresses = texts.map((text) => {
     const size = program.lengthBytesUTF8(text) + 1;
-    const address = program._malloc(size);
+    const address = allocate(program, size);
     program.stringToUTF8(text, address, size);
     return address;
   });
@@ -26,7 +35,7 @@ function withTexts(program, texts, use) {
 
 /** Calls `use` with the address of a result, two words that the program fills; its status and bytes. */
 function withResult(program, use) {
-  const address = program._malloc(8);
+  const address = allocate(program, 8);
   program.HEAPU32.fill(0, address >> 2, (address >> 2) + 2);
   try {
     return { status: use(address), bytes: bytesOf(program, address) };
@@ -42,11 +51,11 @@ export class Axisc {
 
   constructor(program, options = {}) {
     this.#program = program;
-    const opened = program._malloc(4);
+    const opened = allocate(program, 4);
     const status = withTexts(program, [JSON.stringify(options)], (text) => program._axisc_open(text, 0, opened));
     this.#workspace = program.HEAPU32[opened >> 2];
     program._free(opened);
-    this.error = status === 0 ? '' : this.#error();
+    this.error = this.#error(status);
     if (status !== 0) this.close();
   }
 
@@ -57,14 +66,15 @@ export class Axisc {
 
   put(path, bytes) {
     const program = this.#program;
-    const address = program._malloc(bytes.length + 1);
+    const address = allocate(program, bytes.length + 1);
     program.HEAPU8.set(bytes, address);
-    withTexts(program, [path], (name) => program._axisc_put(this.#workspace, name, address, bytes.length));
+    const status = withTexts(program, [path], (name) => program._axisc_put(this.#workspace, name, address, bytes.length));
     program._free(address);
+    this.#require(status);
   }
 
   drop(path) {
-    withTexts(this.#program, [path], (name) => this.#program._axisc_drop(this.#workspace, name));
+    this.#require(withTexts(this.#program, [path], (name) => this.#program._axisc_drop(this.#workspace, name)));
   }
 
   read(path) {
@@ -78,7 +88,8 @@ export class Axisc {
   }
 
   fix(path) {
-    return this.#call('fix', path, (bytes) => (bytes.length === 0 ? [] : JSON.parse(textOf(bytes))), [safe]);
+    const nothing = { files: [], fixed: 0 };
+    return this.#call('fix', path, (bytes) => (bytes.length === 0 ? nothing : JSON.parse(textOf(bytes))), [safe]);
   }
 
   compile(path) {
@@ -100,10 +111,18 @@ export class Axisc {
   #call(name, text, take, before = [], after = []) {
     const program = this.#program;
     const { status, bytes } = withTexts(program, [text], (address) => withResult(program, (result) => program[`_axisc_${name}`](this.#workspace, address, ...before, result, ...after)));
-    return { status: status < 0 ? failed : status, result: take(bytes), error: status === 0 ? '' : this.#error() };
+    return { status: status < 0 ? failed : status, result: take(bytes), error: this.#error(status) };
   }
 
-  #error() {
-    return this.#program.UTF8ToString(this.#program._axisc_error(this.#workspace));
+  #require(status) {
+    if (status !== 0) throw new Error(this.#error(status));
+  }
+
+  /** Why the result is what it is: empty for 0 alone, and for errors in lists that are in the result. */
+  #error(status) {
+    if (status === 0) return '';
+    const said = this.#program.UTF8ToString(this.#program._axisc_error(this.#workspace));
+    if (said !== '' || status > 0) return said;
+    return status === noMemory ? outOfMemory : `axisc: result ${status}`;
   }
 }
