@@ -127,7 +127,7 @@ test('a link carries a list', wait, async () => {
 test('hostile input is text', wait, async () => {
   const hostile = path.join(folder, '<img src=x onerror=alert(1)>.lis');
   await writeFile(hostile, 'kopf.achs_nr 1 # <script>alert(1)</script>\n<img/src=x/onerror=alert(1)> 2\n\u0007\u001b[31m 1\n');
-  page.once('dialog', (dialog) => dialog.message().startsWith('Changes') || violations.push(dialog.message()));
+  page.once('dialog', (dialog) => dialog.message().startsWith('Unsaved') || violations.push(dialog.message()));
   await choose(page, hostile);
   assert.ok((await listed(page)).length > 0);
   assert.equal(await page.$$eval('main img:not(.frame img), main script', (found) => found.length), 0);

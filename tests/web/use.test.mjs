@@ -241,9 +241,10 @@ test('a sound folder shows its machine, its verdict, and what its files are for'
   await page.waitForFunction(() => document.getElementById('subject-words').textContent !== '');
   assert.match(await page.textContent('#subject'), /hochlauf.*X, Y, Z, X2, U, S.*2000 µs, from controller\/listen\/rtconf\.lis:5/);
   assert.equal(await page.isVisible('#cycle-time'), false);
+  assert.ok(await page.isVisible('#contour-text'));
   const rows = await page.$$eval('#contour-text tbody tr', (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
   // samples/controller/listen/achsmds1.lis: a moving average of order 10, half of it at 2 ms; achsmds5.lis: a low-pass at 30 Hz.
-  assert.deepEqual(rows[0].slice(0, 3), ['X', 'moving average, order 10', '10']);
+  assert.deepEqual(rows[0].slice(0, 3), ['X', 'moving average of order 10', '10']);
   assert.deepEqual(rows[4].slice(0, 2), ['U', 'low-pass 30 Hz']);
   const files = await page.$$eval('#file-list button', (all) => all.map((row) => row.textContent));
   assert.ok(files.includes('Xachsmds1.lis') && files.includes('Fraesensda_mds1.lis'), String(files));
@@ -255,7 +256,7 @@ test('of several machines one is chosen', wait, async () => {
   await page.click('#tab-machine');
   await page.waitForFunction(() => document.querySelectorAll('#machines option').length === 2);
   await page.selectOption('#machines', 'hall/rack/machine.json');
-  await page.waitForFunction(() => document.querySelectorAll('#contour-text tbody tr th').length === 1);
+  await page.waitForFunction(() => document.querySelector('#contour-text table')?.tBodies[0].rows.length === 1);
   assert.equal(await page.$eval('#file-name', (name) => name.textContent), 'hall/rack/machine.json');
 });
 

@@ -1,5 +1,6 @@
 // What the buttons do with the files: repair, align, save, compile, and make a link of them.
 import { zipSync } from 'fflate';
+import { reasonIn } from './desk';
 import { byId, save } from './elements';
 import { toFragment } from './link';
 import type { Page } from './page';
@@ -24,7 +25,12 @@ export class Actions {
 
   /** As `lint --fix` writes the files. */
   async fixAll(): Promise<void> {
-    const { result: changed } = await this.page.program.fix(this.page.workspace.whole);
+    const { status, result, error } = await this.page.program.fix(this.page.workspace.whole);
+    if (status !== 0) {
+      this.page.tell(reasonIn(error));
+      return;
+    }
+    const { changed } = result;
     this.page.replaced(changed);
     await this.page.check(false);
     this.page.tell(changed.length === 0 ? say('nothingToFix') : say('fixed', { files: changed.map(([path]) => nameOf(path)).join(', ') }));
@@ -55,9 +61,12 @@ export class Actions {
 
   async compile(): Promise<void> {
     const { shown } = this.page;
-    const { result: bytes, error } = await this.page.program.compile(shown);
-    if (bytes.length > 0) save(`${nameOf(shown).replace(/\.\w+$/, '') || 'machine'}.axim`, bytes);
-    else this.page.said(error);
+    const { status, result: bytes, error } = await this.page.program.compile(shown);
+    if (status === 0) save(`${nameOf(shown).replace(/\.\w+$/, '') || 'machine'}.axim`, bytes);
+    else if (status === 1) {
+      this.page.turn('findings');
+      this.page.tell(say('errorsFirst'));
+    } else this.page.tell(reasonIn(error));
   }
 
   async share(): Promise<void> {

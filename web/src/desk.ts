@@ -10,8 +10,8 @@ export interface Desk {
   readonly workspace: Workspace;
   /** The path of the file in the editor: questions are about its machine. */
   readonly shown: string;
-  /** The NC cycle time where no file says one; null where one does. */
-  readonly assumedTime: string | null;
+  /** Whether a file describes a machine. */
+  isMachine(path: string): boolean;
   /** Shows a file. */
   choose(path: string): void;
   /** Shows the findings. */

@@ -1,11 +1,8 @@
 // An instance of the program's module, with the files of the page, and a workspace of the library in it.
 import { Axisc, type Options, type Outcome, type Program as Module } from '../interface/axisc.mjs';
-import type { Call, Changed } from './program';
+import type { Call, Repair } from './program';
 
 interface Program extends Module {
-  callMain(words: string[]): number;
-  stackSave(): number;
-  stackRestore(stack: number): void;
   FS: {
     mkdirTree(path: string): void;
     readdir(path: string): string[];
@@ -31,7 +28,6 @@ export class Instance {
   private constructor(
     readonly program: Program,
     private readonly memory: WebAssembly.Memory,
-    private readonly printed: { output: string[]; errors: string[] },
   ) {
     program.FS.mkdirTree(folder);
     program.FS.chdir(folder);
@@ -39,10 +35,7 @@ export class Instance {
 
   static async create(compiled: WebAssembly.Module): Promise<Instance> {
     let exported: unknown[] = [];
-    const printed = { output: [] as string[], errors: [] as string[] };
     const program = await createAxisc({
-      print: (line: string) => void printed.output.push(line),
-      printErr: (line: string) => void printed.errors.push(line),
       instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
         void WebAssembly.instantiate(compiled, imports).then((instance) => {
           exported = Object.values(instance.exports);
@@ -53,7 +46,7 @@ export class Instance {
     });
     const memory = exported.find((one): one is WebAssembly.Memory => one instanceof WebAssembly.Memory);
     if (memory === undefined) throw new Error('axisc.wasm');
-    return new Instance(program, memory, printed);
+    return new Instance(program, memory);
   }
 
   /** Bytes that it occupies; they never become fewer. */
@@ -97,30 +90,13 @@ export class Instance {
   }
 
   call(options: Options, call: Call): Outcome<unknown> {
-    if (call.name === 'run') return this.run(options, call.words);
     const workspace = this.workspace(options);
     if (call.name === 'answer') return workspace.answer(call.question);
     if (call.name === 'check') return workspace.check(call.path);
     if (call.name === 'compile') return workspace.compile(call.path);
-    if (call.name === 'inspect') return this.inspect(options, workspace.compile(call.path));
-    const { status, result: paths, error } = workspace.fix(call.path);
-    const result: Changed = paths.map((path) => [path, workspace.read(path)]);
-    for (const path of paths) workspace.drop(path);
+    const { status, result: repaired, error } = workspace.fix(call.path);
+    const result: Repair = { changed: repaired.files.map((path) => [path, workspace.read(path)]), fixed: repaired.fixed };
+    for (const path of repaired.files) workspace.drop(path);
     return { status, result, error };
-  }
-
-  private inspect(options: Options, image: Outcome<Uint8Array>): Outcome<string> {
-    if (image.result.length === 0) return { ...image, result: '' };
-    this.program.FS.writeFile('/machine.axim', image.result);
-    return this.run(options, ['inspect', '/machine.axim', '--format', 'json']);
-  }
-
-  private run({ language = 'en' }: Options, words: string[]): Outcome<string> {
-    const { output, errors } = this.printed;
-    output.length = errors.length = 0;
-    const stack = this.program.stackSave();
-    const status = this.program.callMain([...words, '--lang', language]);
-    this.program.stackRestore(stack);
-    return { status, result: output.join('\n'), error: errors.join('\n') };
   }
 }

@@ -2,18 +2,18 @@
 import { Checks, reasonOf } from './checks';
 import { reasonIn } from './desk';
 import { Editor } from './editor';
-import { byId } from './elements';
+import { byId, element } from './elements';
 import type { Decoded } from './encoding';
 import { showFiles } from './files';
 import { findingsIn, showFilters, showFindings, type Actions, type Finding, type Severity } from './findings';
 import { isRecording, type Incoming } from './incoming';
 import { Outputs, type Panel } from './outputs';
 import type { Parts } from './parts';
-import { Program, type Changed, type Timed } from './program';
+import { Program, type Repair, type Timed } from './program';
 import { Server } from './server';
 import { Survey } from './survey';
 import { currentLanguage, say } from './texts';
-import { showVerdict } from './verdict';
+import { showVerdict, stateOf, type Checked } from './verdict';
 import { Workspace } from './workspace';
 
 export interface Opening {
@@ -35,7 +35,9 @@ export class Page {
   private readonly editor: Editor;
   private readonly outputs: Outputs;
   private readonly survey: Survey;
-  private checkedFiles = 0;
+  private checkedFiles: number | null = null;
+  /** Why not everything could be checked. */
+  private trouble: string | null = null;
   private severity: Severity | null = null;
   private isChosen = false;
   /** The files are those of the start page. */
@@ -44,11 +46,8 @@ export class Page {
   private toldUntil = 0;
   private readonly checks = new Checks(
     () => this.checkOnce(),
-    (failure) => this.tell(say('failed', { reason: reasonOf(failure) })),
+    (failure) => this.checkFailed(failure),
   );
-  get assumedTime(): string | null {
-    return this.survey.facts.cycleTime ? null : this.cycleTime;
-  }
 
   readonly actions: Actions = {
     go: (finding) => this.go(finding),
@@ -65,7 +64,7 @@ export class Page {
     const events = { changed: (text: string) => this.edited(text), fix: (finding: Finding) => this.fix([finding]) };
     this.editor = new Editor(byId('editor'), events, this.server);
     this.outputs = new Outputs(this);
-    this.survey = new Survey(this, () => this.renderFacts());
+    this.survey = new Survey(this, () => this.renderFacts(), (failure) => this.fail(say('failed', { reason: reasonOf(failure) })));
     byId('compare').addEventListener('click', () => {
       byId<HTMLInputElement>('before').checked = true;
       this.outputs.choose('pictures');
@@ -91,6 +90,7 @@ export class Page {
     this.workspace = new Workspace(files);
     this.program.update(files.flatMap(([path, bytes]) => [[path, bytes], [`/before/${path}`, bytes]] as [string, Uint8Array][]), old);
     this.findings = [];
+    [this.checkedFiles, this.trouble] = [null, null];
     this.survey.forget();
     this.severity = null;
     this.editor.forget();
@@ -159,7 +159,10 @@ export class Page {
 
   /** Checks the open files; resolves when the findings match their present state. */
   check(isNew: boolean): Promise<void> {
-    if (isNew) showVerdict({ words: say('checking') });
+    if (isNew) {
+      this.checkedFiles = null;
+      this.renderFacts();
+    }
     return this.checks.again();
   }
 
@@ -171,15 +174,27 @@ export class Page {
     const { findings, files } = outcome.result === '' ? { findings: [], files: 0 } : findingsIn(outcome.result);
     this.findings = findings;
     this.checkedFiles = files;
+    this.trouble = outcome.status === 0 || outcome.status === 1 ? null : reasonIn(outcome.error);
     const worst = findings.find((finding) => finding.severity === 'error') ?? findings[0];
     if (!this.isChosen && worst && workspace.files.has(worst.file) && worst.file !== this.shown) this.show(worst.file);
     else this.render();
     this.isChosen = true;
-    if (outcome.status !== 0 && outcome.status !== 1) this.tell(reasonIn(outcome.error));
     this.outputs.refresh();
-    if (isFirst) void this.begin(workspace).catch(() => undefined);
+    if (isFirst) void this.begin(workspace);
     else this.survey.soon();
     return outcome;
+  }
+
+  /** Nothing is known about the files as they are now. */
+  private checkFailed(failure: unknown): void {
+    [this.findings, this.checkedFiles] = [[], 0];
+    this.survey.forget();
+    this.fail(say('checkFailed', { reason: reasonOf(failure) }));
+  }
+
+  private fail(trouble: string): void {
+    this.trouble = trouble;
+    this.render();
   }
 
   /** After the first check of new files: where nothing is wrong, their machine comes first. */
@@ -187,7 +202,7 @@ export class Page {
     const first = await this.survey.begin();
     if (workspace !== this.workspace) return;
     if (this.recording !== undefined) this.outputs.compare(this.recording);
-    else if (first !== undefined && this.findings.length === 0 && this.outputs.panel === 'findings') this.choose(first, 'machine');
+    else if (first !== undefined && stateOf(this.verdict) === 'sound' && this.outputs.panel === 'findings') this.choose(first, 'machine');
   }
 
   /** For a while; what could not be done stays longer. */
@@ -203,10 +218,6 @@ export class Page {
   async explain(word: string): Promise<void> {
     const outcome = await this.program.answer({ question: 'explain', word, format: 'markdown' });
     this.open_(outcome.result || reasonIn(outcome.error));
-  }
-
-  said(text: string): void {
-    this.open_(`\`\`\`\n${text.trim()}\n\`\`\``);
   }
 
   render(): void {
@@ -230,18 +241,28 @@ export class Page {
       this.severity = severity;
       this.renderFindings();
     });
-    byId('no-findings').hidden = findings.length > 0;
+    byId('no-findings').hidden = stateOf(this.verdict) !== 'sound';
     const shown = findings.filter(({ severity }) => this.severity === null || severity === this.severity);
     showFindings(byId(this.isExample ? 'example-findings' : 'finding-list'), shown, this.actions);
+    // The start page has no verdict.
+    if (this.isExample && this.trouble !== null) byId('example-findings').replaceChildren(element('li', { class: 'trouble' }, this.trouble));
   }
 
   private renderFacts(): void {
-    const { findings, checkedFiles } = this;
     const { facts, machines, safe } = this.survey;
-    showVerdict({ findings, facts, files: checkedFiles, safe });
+    showVerdict({ ...this.verdict, facts, safe, shown: this.shown });
     byId('machines-line').hidden = machines.size < 2;
-    byId('machines').replaceChildren(...[...machines.keys()].map((path) => new Option(path, path, false, path === facts.path)));
-    showFiles(byId('file-list'), this.workspace, facts.machine ? [[facts.path, facts.machine], ...machines] : [...machines], findings, this.shown, (path) => this.choose(path));
+    byId('machines').replaceChildren(...[...machines.keys()].map((path) => new Option(path, path, false, path === facts?.described.path)));
+    showFiles(byId('file-list'), this.workspace, facts ? [[facts.described.path, facts.machine], ...machines] : [...machines], this.findings, this.shown, (path) => this.choose(path));
+  }
+
+  private get verdict(): Checked {
+    return { findings: this.findings, files: this.checkedFiles, trouble: this.trouble };
+  }
+
+  /** Whether a file describes a machine. */
+  isMachine(path: string): boolean {
+    return this.survey.machines.has(path);
   }
 
   private go(finding: Finding): void {
@@ -265,7 +286,7 @@ export class Page {
   }
 
   /** Files that the program wrote. */
-  replaced(written: Changed): void {
+  replaced(written: Repair['changed']): void {
     for (const [path, bytes] of written) this.program.update([[path, this.workspace.put(path, bytes)]]);
     if (written.every(([path]) => path !== this.shown)) return;
     this.decoded = this.workspace.text(this.shown);

@@ -80,10 +80,9 @@ export class Pictures {
     const name = this.kind.value as KindName;
     const { of } = kinds[name];
     const axes = await this.axes();
-    const { result: machine } = await this.page.program.answer({ question: 'machine_of', input: this.page.shown });
     if (!isLast()) return;
-    this.offer(of, axes, machine);
-    const outcome = await (of === 'recording' ? this.compared(machine, axes, isLast) : this.page.program.answer({ question: 'picture', kind: name, input: this.page.shown, ...this.subject(of) }));
+    this.offer(of, axes);
+    const outcome = await (of === 'recording' ? this.compared(axes, isLast) : this.page.program.answer({ question: 'picture', kind: name, input: this.page.shown, ...this.subject(of) }));
     if (!isLast()) return;
     this.svg = outcome.result;
     if (of !== 'recording') byId('picture-text').replaceChildren();
@@ -96,14 +95,14 @@ export class Pictures {
   }
 
   /** The picture of a comparison with a recording; its words go below it. */
-  private async compared(machine: string, axes: readonly string[], isLast: () => boolean): Promise<Outcome<string>> {
-    const { program, assumedTime } = this.page;
-    const columns = (['in', 'out'] as const).flatMap((id) => (byId<HTMLInputElement>(id).value.trim() ? [`--${id}`, byId<HTMLInputElement>(id).value.trim()] : []));
-    const options = [...columns, ...(axes.length > 1 ? ['--axis', this.axis.value] : []), ...(assumedTime ? ['--cycle-time', assumedTime] : [])];
-    const answer = await program.run('compare', machine, this.recording.value, '--format', 'markdown', ...options);
+  private async compared(axes: readonly string[], isLast: () => boolean): Promise<Outcome<string>> {
+    const { program, shown } = this.page;
+    const [input, output] = (['in', 'out'] as const).map((id) => byId<HTMLInputElement>(id).value.trim() || undefined);
+    const question = { input: shown, recording: this.recording.value, axis: axes.length > 1 ? this.axis.value : undefined, in: input, out: output };
+    const answer = await program.answer({ question: 'compare', ...question, format: 'markdown' });
     if (isLast()) byId('picture-text').replaceChildren(markdown(answer.result));
     if (answer.result === '') return answer;
-    return program.run('plot', machine, '--kind', 'compare', '--recording', this.recording.value, '--format', 'svg', '-o', '-', ...options);
+    return program.answer({ question: 'picture', kind: 'compare', ...question });
   }
 
   private async axes(): Promise<string[]> {
@@ -113,13 +112,13 @@ export class Pictures {
   }
 
   /** The choices that a kind has. */
-  private offer(of: Kind['of'], axes: readonly string[], machine: string): void {
+  private offer(of: Kind['of'], axes: readonly string[]): void {
     const { paths, recordings } = this.page.workspace;
     // One axis moves with its plant; all may be drawn over one another.
     fill(this.axis, [...(of === 'plant' || of === 'recording' ? [] : [['', say('everyAxis')] as const]), ...axes.map(same)]);
     fill(this.program, paths.filter(isProgram).map(same));
     fill(this.recording, recordings.map(same));
-    fill(this.plant, paths.filter((path) => isPlant(path) && path !== machine).map(same));
+    fill(this.plant, paths.filter((path) => isPlant(path) && !this.page.isMachine(path)).map(same));
     byId('axis-line').hidden = of === 'contour' || of === 'program';
     byId('program-line').hidden = of !== 'program';
     for (const id of ['recording-line', 'in-line', 'out-line']) byId(id).hidden = of !== 'recording';

@@ -2,12 +2,8 @@
 import type { Options, Outcome } from '../interface/axisc.mjs';
 import { startWorker, type Parts } from './parts';
 
-/** What is asked of the library (axisc.h); `run` is a command of the program. */
-export type Call =
-  | { name: 'check' | 'fix' | 'compile'; path: string }
-  | { name: 'answer'; question: Record<string, string | undefined> }
-  | { name: 'inspect'; path: string }
-  | { name: 'run'; words: string[] };
+/** What is asked of the library (axisc.h). */
+export type Call = { name: 'check' | 'fix' | 'compile'; path: string } | { name: 'answer'; question: Record<string, string | undefined> };
 
 /** A request to the language server about a list. */
 export interface Question {
@@ -19,8 +15,11 @@ export interface Question {
   more: object;
 }
 
-/** Files that a repair changed. */
-export type Changed = [string, Uint8Array][];
+/** Files that a repair changed, and how many findings it repaired. */
+export interface Repair {
+  changed: [string, Uint8Array][];
+  fixed: number;
+}
 
 /** From the page to the worker. */
 export type Request =
@@ -110,7 +109,7 @@ export class Program {
     return this.call({ name: 'check', path });
   }
 
-  fix(path: string): Promise<Timed<Changed>> {
+  fix(path: string): Promise<Timed<Repair>> {
     return this.call({ name: 'fix', path });
   }
 
@@ -121,16 +120,6 @@ export class Program {
 
   answer(question: Record<string, string | undefined>): Promise<Timed<string>> {
     return this.call({ name: 'answer', question });
-  }
-
-  /** What is in the image of a machine, as JSON. */
-  inspect(path: string): Promise<Timed<string>> {
-    return this.call({ name: 'inspect', path });
-  }
-
-  /** A command of the program, on the files of the page; what it prints. */
-  run(...words: string[]): Promise<Timed<string>> {
-    return this.call({ name: 'run', words });
   }
 
   private async call<Result>(call: Call): Promise<Timed<Result>> {

@@ -1,9 +1,8 @@
 // What is asked about the open files after they were checked, when there is time: their machines, and what --fix
 // would repair.
-import { decode } from './encoding';
-import { factsOf, machinesAmong, noFacts, type Facts, type Machine } from './facts';
+import { factsOf, machinesAmong, type Facts, type Machine } from './facts';
 import type { Finding } from './findings';
-import type { Changed, Program } from './program';
+import { Interrupted, type Program } from './program';
 import type { Workspace } from './workspace';
 
 const pause = 200;  // ms without a check
@@ -15,18 +14,8 @@ interface Asking {
   readonly findings: readonly Finding[];
 }
 
-/** How many of the findings the new files repair: fixes keep their lines. */
-function repairedBy(files: Changed, findings: readonly Finding[], workspace: Workspace): number {
-  const changed = new Set<string>();
-  for (const [path, bytes] of files) {
-    const before = workspace.text(path)?.text.split('\n') ?? [];
-    decode(bytes).text.split('\n').forEach((line, i) => line !== before[i] && changed.add(`${path.replace(/^\.\//, '')}:${i + 1}`));
-  }
-  return findings.filter(({ fix }) => fix?.edits.some(({ file, line }) => changed.has(`${file}:${line}`))).length;
-}
-
 export class Survey {
-  facts: Facts = noFacts;
+  facts: Facts = null;
   /** The machines among the files, by their paths. */
   machines = new Map<string, Machine>();
   /** How many findings `lint --fix` repairs. */
@@ -36,33 +25,45 @@ export class Survey {
   constructor(
     private readonly page: Asking,
     private readonly changed: () => void,
+    private readonly failed: (failure: unknown) => void,
   ) {}
 
   forget(): void {
-    [this.facts, this.machines, this.safe] = [noFacts, new Map(), 0];
+    [this.facts, this.machines, this.safe] = [null, new Map(), 0];
   }
 
   /** The first machine of new files. */
   async begin(): Promise<string | undefined> {
-    const { program, workspace } = this.page;
-    const machines = workspace.files.size > 1 ? await machinesAmong(program, workspace.paths) : new Map<string, Machine>();
-    if (workspace !== this.page.workspace) return undefined;
-    this.machines = machines;
-    this.soon();
-    return [...machines.keys()][0];
+    await this.whileOpen(async (workspace) => {
+      const machines = workspace.files.size > 1 ? await machinesAmong(this.page.program) : new Map<string, Machine>();
+      if (workspace !== this.page.workspace) return;
+      this.machines = machines;
+      this.soon();
+    });
+    return [...this.machines.keys()][0];
   }
 
   soon(): void {
     clearTimeout(this.waiting);
-    this.waiting = window.setTimeout(() => void this.ask().catch(() => undefined), pause);
+    this.waiting = window.setTimeout(() => void this.whileOpen((workspace) => this.ask(workspace)), pause);
   }
 
-  private async ask(): Promise<void> {
-    const { program, workspace, shown, findings } = this.page;
-    const repaired = findings.some(({ fix }) => fix) ? (await program.fix(workspace.whole)).result : [];
-    const facts = await factsOf(program, shown, (path) => workspace.text(path)?.text ?? '');
+  /** A failure is told as long as the files are still those that were asked about. */
+  private async whileOpen(ask: (workspace: Workspace) => Promise<void>): Promise<void> {
+    const { workspace } = this.page;
+    try {
+      await ask(workspace);
+    } catch (failure) {
+      if (workspace === this.page.workspace && !(failure instanceof Interrupted)) this.failed(failure);
+    }
+  }
+
+  private async ask(workspace: Workspace): Promise<void> {
+    const { program, shown, findings } = this.page;
+    const safe = findings.some(({ fix }) => fix) ? (await program.fix(workspace.whole)).result.fixed : 0;
+    const facts = await factsOf(program, shown);
     if (workspace !== this.page.workspace) return;
-    if (findings === this.page.findings) this.safe = repairedBy(repaired, findings, workspace);
+    if (findings === this.page.findings) this.safe = safe;
     if (shown === this.page.shown) this.facts = facts;
     this.changed();
   }
