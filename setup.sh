@@ -7,7 +7,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build pkg-config
-  libboost1.81-dev libfmt-dev nlohmann-json3-dev libcli11-dev libsodium-dev libpugixml-dev
+  libboost1.81-dev libfmt-dev nlohmann-json3-dev libcli11-dev libsodium-dev libpugixml-dev zlib1g-dev
   libvalijson-dev
   catch2 librapidcheck-dev
 )
@@ -27,7 +27,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
   command -v npm >/dev/null || packages+=(npm)
 fi
 if [ "${1:-}" = long ]; then
-  packages+=(libsodium-dev:arm64 libpugixml-dev:arm64)
+  packages+=(libsodium-dev:arm64 libpugixml-dev:arm64 zlib1g-dev:arm64)
   packages+=(lintian mmdebstrap pre-commit mkdocs-material emscripten linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
 fi
 

@@ -54,6 +54,7 @@ axisc_part(CLI11 ${CLI11_VERSION} BSD-3-Clause "https://github.com/CLIUtils/CLI1
 if(AXISC_STATIC OR AXISC_COMPILE_LIBRARIES)
   axisc_part(libsodium ${sodium_VERSION} ISC "https://libsodium.org" "${debian}/libsodium-dev/copyright")
   axisc_part(pugixml ${pugixml_VERSION} MIT "https://pugixml.org" "${debian}/libpugixml-dev/copyright")
+  axisc_part(zlib ${ZLIB_VERSION_STRING} Zlib "https://zlib.net" "${debian}/zlib1g-dev/copyright")
   string(REGEX MATCH "^[0-9]+" gcc "${CMAKE_CXX_COMPILER_VERSION}")
   axisc_part("GCC runtime libraries" ${CMAKE_CXX_COMPILER_VERSION} "GPL-3.0-or-later WITH GCC-exception-3.1" "https://gcc.gnu.org"
     "${debian}/libstdc++-${gcc}-dev/copyright")

@@ -43,6 +43,7 @@ axisc_debian_version(nlohmann_json_VERSION nlohmann-json3-dev)
 axisc_debian_version(CLI11_VERSION libcli11-dev)
 axisc_debian_version(sodium_VERSION libsodium-dev)
 axisc_debian_version(pugixml_VERSION libpugixml-dev)
+axisc_debian_version(ZLIB_VERSION_STRING zlib1g-dev)
 
 # axisc_compiled_library(PkgConfig::sodium axisc_sodium FOLDER SOURCE...): the folder with its headers
 function(axisc_compiled_library alias target folder)
@@ -54,6 +55,10 @@ endfunction()
 
 axisc_compiled_library(PkgConfig::pugixml axisc_pugixml "${AXISC_LIBRARY_SOURCES}/pugixml/src"
   "${AXISC_LIBRARY_SOURCES}/pugixml/src/pugixml.cpp")
+
+set(zlib_sources adler32 crc32 deflate trees zutil)
+list(TRANSFORM zlib_sources REPLACE "^(.*)$" "${AXISC_LIBRARY_SOURCES}/zlib/\\1.c")
+axisc_compiled_library(ZLIB::ZLIB axisc_zlib "${AXISC_LIBRARY_SOURCES}/zlib" ${zlib_sources})
 
 set(sodium "${AXISC_LIBRARY_SOURCES}/libsodium/src/libsodium")
 file(GLOB_RECURSE sodium_sources "${sodium}/*.c")

@@ -10,6 +10,17 @@
 
 namespace axisc {
 
+namespace {
+
+void write_if_different(std::string const& path, std::string const& content) {
+  if (is_content_of(path, content)) return;
+  OutputFile output(path);
+  output.write(content);
+  output.commit();
+}
+
+}  // namespace
+
 void write_files(std::string const& folder, std::vector<image::ExportedFile> const& files,
                  std::vector<std::string> const& sources) {
   std::vector<std::string> paths;
@@ -19,12 +30,13 @@ void write_files(std::string const& folder, std::vector<image::ExportedFile> con
   // Where this fails, so does the first file, which says why.
   std::error_code ignored;
   std::filesystem::create_directories(system::path_of(folder), ignored);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (is_content_of(paths[i], files[i].content)) continue;
-    OutputFile output(paths[i]);
-    output.write(files[i].content);
-    output.commit();
-  }
+  for (std::size_t i = 0; i < files.size(); ++i) write_if_different(paths[i], files[i].content);
+}
+
+void write_file(std::string const& path, std::string const& content,
+                std::vector<std::string> const& sources) {
+  refuse_overwriting({path}, sources);
+  write_if_different(path, content);
 }
 
 }  // namespace axisc

@@ -14,4 +14,7 @@ namespace axisc {
 void write_files(std::string const& folder, std::vector<image::ExportedFile> const& files,
                  std::vector<std::string> const& sources);
 
+/// One file, in the same way.
+void write_file(std::string const& path, std::string const& content, std::vector<std::string> const& sources);
+
 }  // namespace axisc

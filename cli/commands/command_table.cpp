@@ -22,8 +22,8 @@ constexpr Sentence run_meaning{"feed setpoints through an image", "Sollwerte dur
 constexpr Sentence response_meaning{"frequency response of an image", "Frequenzgang eines Abbilds"};
 constexpr Sentence plot_meaning{"draw what the filters do", "zeichnen, was die Filter tun"};
 constexpr Sentence report_meaning{"write a page about a machine", "eine Seite über eine Maschine schreiben"};
-constexpr Sentence export_meaning{"make sources in C of a machine's filters",
-                                  "aus den Filtern einer Maschine Quelltexte in C machen"};
+constexpr Sentence export_meaning{"make an FMU or sources in C of a machine's filters",
+                                  "aus den Filtern einer Maschine eine FMU oder Quelltexte in C machen"};
 constexpr Sentence keygen_meaning{"make a pair of keys for signatures",
                                   "ein Schlüsselpaar für Signaturen erzeugen"};
 constexpr Sentence sign_meaning{"sign an image", "ein Abbild signieren"};

@@ -99,6 +99,7 @@ constexpr Page pages[] = {
     {"docs/controller-folder.md",
      "cp -r $samples/controller/. . && mkdir old && cp listen/sda_mds1.lis old/sda.txt"},
     {"docs/export.md", "cp -r $samples ."},
+    {"docs/fmu.md", "cp -r $samples ."},
     {"docs/findings.md", "cp -r $samples ."},
     {"docs/gallery.md", "cp -r $samples . && cp -r samples/controller repaired"},
     {"docs/nc-programs.md", "cp -r $samples ."},

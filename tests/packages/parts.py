@@ -7,7 +7,7 @@ import sys
 FOLDER, SOURCES, LINKED = sys.argv[1:]
 # As vcpkg.json names what the project needs, with the names in the bill.
 CONTAINED = {"boost-spirit": "Boost", "boost-multiprecision": "Boost", "fmt": "fmt", "nlohmann-json": "JSON for Modern C++", "cli11": "CLI11"}
-LINKED_IN = {"libsodium": "libsodium", "pugixml": "pugixml"}
+LINKED_IN = {"libsodium": "libsodium", "pugixml": "pugixml", "zlib": "zlib"}
 OF_TESTS = {"catch2", "rapidcheck", "valijson"}
 
 with open(f"{SOURCES}/vcpkg.json", encoding="utf-8") as file:

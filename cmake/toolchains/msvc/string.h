@@ -1,4 +1,4 @@
-/* The functions that the runtime needs from this header of the C library. */
+/* The functions that the runtime and FMUs need from this header of the C library. */
 #pragma once
 
 #include <stddef.h>
@@ -10,6 +10,8 @@ void* memcpy(void* to, void const* from, size_t size);
 void* memset(void* to, int value, size_t size);
 void* memmove(void* to, void const* from, size_t size);
 int memcmp(void const* a, void const* b, size_t size);
+int strcmp(char const* a, char const* b);
+size_t strlen(char const* text);
 #ifdef __cplusplus
 }
 #endif

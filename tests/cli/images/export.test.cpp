@@ -112,7 +112,11 @@ TEST_CASE("export says what is missing or wrong and writes nothing then") {
   };
   refused({"export"}, "INPUT");
   refused({"export", mill, "-o", folder / "c"}, "--to");
-  refused({"export", mill, "--to", "c"}, "-o FOLDER");
+  refused({"export", mill, "--to", "c"}, "-o FILE|FOLDER");
+  refused({"export", mill, "--to", "c", "--binaries", "none", "-o", folder / "c"}, "--binaries is for");
+  refused({"export", mill, "--to", "c", "--plain-integers", "-o", folder / "c"}, "--plain-integers is for");
+  refused({"export", mill, "--to", "fmu3", "--binaries", "linux64,amiga", "-o", folder / "c"}, "amiga");
+  refused({"export", mill, "--to", "fmu2", "--binaries", "none", "-o", folder / "none/m.fmu"}, "AX9002");
   refused({"export", mill, "--to", "pascal", "-o", folder / "c"}, "pascal");
   refused({"export", folder / "none.axim", "--to", "c", "-o", folder / "c"}, "none.axim");
   refused({"export", folder.write("bad.axim", "AXIM and no more"), "--to", "c", "-o", folder / "c"},
@@ -126,4 +130,44 @@ TEST_CASE("export says what is missing or wrong and writes nothing then") {
   CHECK(outcome.status == 1);
   CHECK_THAT(outcome.err, Contains("error[AX"));
   CHECK_FALSE(fs::exists(folder / "c"));
+}
+
+TEST_CASE("an FMU is the same bytes each time, and its libraries too") {
+  TemporaryFolder const folder;
+  REQUIRE(run_axisc({"compile", mill, "-o", folder / "mill.axim", "--quiet"}).status == 0);
+  auto const outcome =
+      run_axisc({"export", mill, "--to", "fmu3", "--binaries", "none", "-o", folder / "mill.fmu"});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.empty());
+  auto const fmu = folder.read("mill.fmu");
+  CHECK(outcome.err == (folder / "mill.fmu") + ": written, axes: 4, libraries: none, " +
+                           std::to_string(fmu.size()) + " bytes\n");
+  CHECK(fmu.size() < 70'000);
+  fs::create_directory(folder / "again");
+  auto const again = folder / "again/mill.fmu";
+  REQUIRE(
+      run_axisc({"export", folder / "mill.axim", "--to", "fmu3", "--binaries", "none", "-o", again}).status ==
+      0);
+  CHECK(folder.read("again/mill.fmu") == fmu);
+  if (std::system("command -v cc >/dev/null") != 0) return;
+  auto const with_library = [&](std::string const& file) {
+    auto const made =
+        run_axisc({"export", mill, "--to", "fmu2", "--binaries", "linux64", "-o", folder / file});
+    CHECK_THAT(made.err, Contains("libraries: binaries/linux64/mill.so"));
+    return folder.read(file);
+  };
+  CHECK(with_library("mill.fmu") == with_library("again/mill.fmu"));
+}
+
+TEST_CASE("a compiler that is missing is named, and the FMU is written without its library") {
+  TemporaryFolder const folder;
+  auto surroundings = in_folder(folder.path());
+  surroundings.variables = {"PATH=" + folder.path()};
+  auto const outcome = run_axisc({"export", mill, "--to", "fmu3", "-o", "mill.fmu"}, surroundings);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.err,
+             Contains("linux64: no library, because cc cannot be run") &&
+                 Contains("win64: no library, because x86_64-w64-mingw32-gcc-posix cannot be run") &&
+                 Contains("libraries: none"));
+  CHECK(folder.read("mill.fmu").substr(0, 2) == "PK");
 }
