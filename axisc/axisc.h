@@ -119,6 +119,8 @@ int axisc_compile(axisc_workspace* workspace, char const* path, char const* opti
  *                 "recording", "in", "out"; an SVG
  *   report        the acceptance report                      "before", "title", "customer", "author", "date";
  *                 HTML
+ *   fmu           an FMU of its filters, without libraries: the bytes of the file
+ *                 "version" (3, the default, or 2, of the FMI), "name"
  *   explain       "word": a code, a parameter, a message     "format"
  * "format" is text (default), json, csv, markdown or html. The files of "program", "plant" and "recording"
  * are read from the disk. */

@@ -5,6 +5,7 @@
 #include "axisc/files/disk_files.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/joined.hpp"
+#include "image/machine_sources.hpp"
 #include "schema/closest_word.hpp"
 
 #include <array>
@@ -81,8 +82,7 @@ ImageFile image_of_bytes(std::string const& path, std::string_view image) {
 }
 
 std::string axis_label(image::ImageContents const& image, std::size_t axis) {
-  auto const& name = image.axes[axis].name;
-  return name.empty() ? "axis" + std::to_string(axis) : name;
+  return image::axis_text(image, axis);
 }
 
 Failure unknown_axis(std::string const& name, std::vector<std::string> const& labels) {

@@ -18,6 +18,7 @@
 #include "axisc/asked/quantities.hpp"
 #include "axisc/checking/compiled_input.hpp"
 #include "axisc/checking/path_machine.hpp"
+#include "axisc/exporting/exported_fmu.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "presentation/pictures/svg.hpp"
 #include "presentation/writers.hpp"
@@ -173,6 +174,20 @@ Answer explain(Workspace& workspace, Asked const& asked, ErrorSink const& errors
                  asked, errors.language);
 }
 
+/// The bytes of the file.
+Answer fmu(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  constexpr std::array versions = {std::pair{std::string_view("3"), image::FmiVersion::three},
+                                   std::pair{std::string_view("2"), image::FmiVersion::two}};
+  auto const input = asked.text("input");
+  auto const version = asked.word("version", versions);
+  auto const machine =
+      image_in(workspace, input) ? input : machine_of_input(workspace, {.input = input}).machine;
+  auto const exported = exported_image(workspace, {.input = machine}, errors);
+  if (!exported) return std::nullopt;
+  image::FmuOptions const options{.version = version, .name = asked.find("name").value_or(model_name(input))};
+  return exported_fmu(exported->file, options, {}).archive;
+}
+
 struct Question {
   std::string_view name, keys;
   Answer (*answer)(Workspace& workspace, Asked const& asked, ErrorSink const& errors);
@@ -193,6 +208,7 @@ constexpr std::array questions = {
              .answer = picture},
     Question{.name = "compare", .keys = "input recording axis in out format", .answer = compare},
     Question{.name = "report", .keys = "input before title customer author date", .answer = report},
+    Question{.name = "fmu", .keys = "input version name", .answer = fmu},
     Question{.name = "explain", .keys = "word format", .answer = explain}};
 
 }  // namespace

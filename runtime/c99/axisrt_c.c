@@ -1262,6 +1262,16 @@ uint32_t axisrt_c_bank_count(const axisrt_c* rt, uint32_t index) {
   return rt == NULL || index >= rt->group_count ? 0 : rt->groups[index].bank_count;
 }
 
+uint32_t axisrt_c_busy_cycles(const axisrt_c* rt, uint32_t index) {
+  uint32_t most = 0, i;
+  if (rt == NULL || index >= rt->group_count) return 0;
+  for (i = 0; i < rt->groups[index].member_count; ++i) {
+    const slot* const s = rt->members[rt->groups[index].first_member + i];
+    if (s != NULL && s->fade_length - s->fade_position > most) most = s->fade_length - s->fade_position;
+  }
+  return most;
+}
+
 axisrt_c_status axisrt_c_get_bank(const axisrt_c* rt, uint32_t index, uint32_t number,
                                   axisrt_c_bank_parameters* parameters) {
   if (parameters == NULL || number >= axisrt_c_bank_count(rt, index)) return AXISRT_C_BAD_ARGUMENT;

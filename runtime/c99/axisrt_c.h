@@ -110,6 +110,10 @@ typedef enum axisrt_c_action {
  * NO_BANK, NEEDS_STANDSTILL, BAD_ARGUMENT. */
 axisrt_c_status axisrt_c_command(axisrt_c* runtime, uint32_t group, axisrt_c_action action, uint32_t bank);
 
+/* Cycles after which a command of this group is no longer BUSY: what is left of its fade; 0 where one may be
+ * given now, and for a null pointer or a number too large. */
+uint32_t axisrt_c_busy_cycles(const axisrt_c* runtime, uint32_t group);
+
 /* Parameters of a bank; those that are not set are 0. */
 typedef struct axisrt_c_bank_parameters {
   uint32_t

@@ -328,6 +328,19 @@ typedef struct axisrt_filter_command {
  * and up to 16 cycles after it applies two kernels to the whole history of each axis. */
 axisrt_status axisrt_command(axisrt* runtime, uint32_t group, const axisrt_filter_command* command);
 
+/* Cycles after which a command of this group is no longer AXISRT_BUSY: what is left of its fade, or of a
+ * change of image; 0 where one may be given now. 0 for a null pointer or a number too large. Cost: the
+ * group's axes. */
+uint32_t axisrt_busy_cycles(const axisrt* runtime, uint32_t group);
+
+/* Sets of parameters that the image has for a group: at least one. 0 for a null pointer or a number too
+ * large. */
+uint32_t axisrt_bank_count(const axisrt* runtime, uint32_t group);
+/* The command that names a set, as AXISRT_ACTION_ON with its keywords: what axisrt_command takes, and to
+ * which any other parameters are AXISRT_NO_BANK. `command->size` is the caller's. AXISRT_BAD_ARGUMENT. */
+axisrt_status axisrt_get_bank(const axisrt* runtime, uint32_t group, uint32_t bank,
+                              axisrt_filter_command* command);
+
 /* The order that ORDER_TIME (in us) means: floor(time/T + 0.5), 0 below one cycle. */
 uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
 

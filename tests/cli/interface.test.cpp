@@ -227,6 +227,15 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
         run_axisc({"plot", recorded + "x.lis", "--kind", "compare", "--recording", recorded + "scope.csv",
                    "-o", "-"})
             .out);
+  auto const fmu = folder / "mill.fmu";
+  for (std::string const version : {"2", "3"}) {
+    REQUIRE(run_axisc({"export", mill, "--to", "fmu" + version, "--binaries", "none", "-o", fmu}).status ==
+            0);
+    CHECK(ask({{"question", "fmu"}, {"input", mill + "/x.lis"}, {"version", version}, {"name", "mill"}}) ==
+          bytes_of(fmu));
+  }
+  CHECK(ask({{"question", "fmu"}, {"input", image}}).starts_with("PK"));
+  CHECK(ask({{"question", "machine_of"}, {"input", mill + "/x.lis"}}) == mill + "/machine.json");
   for (auto const* const kind : {"response", "step", "delay", "corner", "circle"}) {
     INFO(kind);
     CHECK(ask({{"question", "picture"}, {"input", mill}, {"kind", kind}}) ==

@@ -58,6 +58,20 @@ if "$folder/with_cxx/change_image" "$folder/mill.axim" "$folder/mill.axim" >"$fo
 fi
 grep -q AXISRT_NEEDS_STANDSTILL "$folder/change.txt"
 
+# Signed, unsigned, changed, signed with another key, and older than the controller has seen.
+if [ -x "$folder/c_alone/signed_image" ]; then
+  "$build/bin/axisc" compile --quiet --image-version 7 "$source/samples/mill/machine.json" -o "$folder/signed.axim" 2>/dev/null
+  cp "$folder/signed.axim" "$folder/unsigned.axim"
+  "$build/bin/axisc" keygen "$folder/plant.key" >/dev/null 2>&1
+  "$build/bin/axisc" keygen "$folder/other.key" >/dev/null 2>&1
+  "$build/bin/axisc" sign "$folder/signed.axim" --key "$folder/plant.key" >/dev/null 2>&1
+  says() { { "$folder/c_alone/signed_image" "${@:2}" || true; } | grep -q "^$1:" || { echo "signed_image ${*:2} does not say $1" >&2; exit 1; }; }
+  says AXISRT_OK "$folder/signed.axim" "$folder/plant.key.pub" 7
+  says AXISRT_UNSIGNED "$folder/unsigned.axim" "$folder/plant.key.pub" 7
+  says AXISRT_WRONG_SIGNATURE "$folder/signed.axim" "$folder/other.key.pub" 7
+  says AXISRT_OLDER_IMAGE "$folder/signed.axim" "$folder/plant.key.pub" 8
+fi
+
 # What `axisc export` writes links the installed runtime in C99, too.
 "$build/bin/axisc" export "$folder/mill.axim" --to c -o "$folder/exported" 2>/dev/null
 "$CC" -std=c99 -I"$(dirname "$(find "$folder/moved" -name axisrt_c.h)")" "$folder/exported/example.c" "$folder/exported/machine.c" \

@@ -70,6 +70,16 @@ test('an image compiled in the page is the native one', wait, async () => {
   assert.deepEqual(bytes, await readFile(image));
 });
 
+test('an FMU made in the page is the native one', wait, async () => {
+  await chooseFolder(page, path.join(samples, 'controller'));
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#fmu')]);
+  const fmu = path.join(folder, download.suggestedFilename());
+  assert.match(fmu, /\.fmu$/);
+  const { status, stderr } = run(['export', 'controller', '--to', 'fmu3', '--binaries', 'none', '-o', fmu], samples);
+  assert.equal(status, 0, String(stderr));
+  assert.deepEqual(await readFile(await download.path()), await readFile(fmu));
+});
+
 test('machine, pictures with zoom, before and after, report', wait, async () => {
   await chooseSample(page, 'mill');
   await page.click('#tab-machine');

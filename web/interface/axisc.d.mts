@@ -33,6 +33,8 @@ export class Axisc {
   fix(path: string): Outcome<{ files: string[]; fixed: number }>;
   compile(path: string): Outcome<Uint8Array>;
   answer(question: Record<string, string | undefined>): Outcome<string>;
+  /** An answer that is not text: an FMU. */
+  file(question: Record<string, string | undefined>): Outcome<Uint8Array>;
   /** The messages that the language server sends because of messages that arrived together. */
   message(...messages: unknown[]): unknown[];
 }

@@ -100,6 +100,11 @@ export class Axisc {
     return this.#call('answer', JSON.stringify(question), textOf);
   }
 
+  /** An answer that is not text. */
+  file(question) {
+    return this.#call('answer', JSON.stringify(question), (bytes) => bytes);
+  }
+
   message(...messages) {
     if (this.#workspace === 0) return [];
     const { status, result, error } = this.#call('message', JSON.stringify(messages.map((message) => JSON.stringify(message))), textOf);

@@ -8,13 +8,15 @@ import { say } from './texts';
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
+const modelOf = (path: string): string => nameOf(path).replace(/\.\w+$/, '') || 'machine';
+
 export class Actions {
   constructor(private readonly page: Page) {}
 
   connect(): void {
     const actions: Record<string, () => unknown> = {
       'fix-all': () => this.fixAll(), align: () => this.align(), download: () => this.download(), 'download-all': () => this.downloadAll(),
-      compile: () => this.compile(), share: () => this.share(),
+      compile: () => this.compile(), fmu: () => this.fmu(), share: () => this.share(),
     };
     for (const [id, act] of Object.entries(actions)) {
       byId(id).addEventListener('click', () => {
@@ -62,8 +64,20 @@ export class Actions {
   async compile(): Promise<void> {
     const { shown } = this.page;
     const { status, result: bytes, error } = await this.page.program.compile(shown);
-    if (status === 0) save(`${nameOf(shown).replace(/\.\w+$/, '') || 'machine'}.axim`, bytes);
-    else if (status === 1) {
+    if (status === 0) save(`${modelOf(shown)}.axim`, bytes);
+    else this.refused(status, error);
+  }
+
+  /** As `export --to fmu3 --binaries none` writes it. */
+  async fmu(): Promise<void> {
+    const { shown } = this.page;
+    const { status, result: bytes, error } = await this.page.program.fmu(shown, modelOf(shown));
+    if (status === 0) save(`${modelOf(shown)}.fmu`, bytes, 'application/zip');
+    else this.refused(status, error);
+  }
+
+  private refused(status: number, error: string): void {
+    if (status === 1) {
       this.page.turn('findings');
       this.page.tell(say('errorsFirst'));
     } else this.page.tell(reasonIn(error));

@@ -117,7 +117,7 @@ export class Controls {
     document.documentElement.lang = language;
     document.title = `axisc – ${say('title')}`;
     const texts: Record<string, Key> = {
-      open: 'open', 'open-folder': 'openFolder', new: 'new', align: 'align', compile: 'compile', share: 'share',
+      open: 'open', 'open-folder': 'openFolder', new: 'new', align: 'align', compile: 'compile', fmu: 'fmu', share: 'share',
       'tab-findings': 'findings', 'tab-machine': 'machine', 'tab-pictures': 'pictures', 'tab-report': 'report', 'tab-text': 'text', 'tab-side': 'side',
     };
     for (const [id, key] of Object.entries(texts)) byId(id).textContent = say(key);

@@ -92,6 +92,7 @@ export class Instance {
   call(options: Options, call: Call): Outcome<unknown> {
     const workspace = this.workspace(options);
     if (call.name === 'answer') return workspace.answer(call.question);
+    if (call.name === 'file') return workspace.file(call.question);
     if (call.name === 'check') return workspace.check(call.path);
     if (call.name === 'compile') return workspace.compile(call.path);
     const { status, result: repaired, error } = workspace.fix(call.path);

@@ -2,8 +2,10 @@
 import type { Options, Outcome } from '../interface/axisc.mjs';
 import { startWorker, type Parts } from './parts';
 
-/** What is asked of the library (axisc.h). */
-export type Call = { name: 'check' | 'fix' | 'compile'; path: string } | { name: 'answer'; question: Record<string, string | undefined> };
+/** What is asked of the library (axisc.h); the answer of `file` is bytes. */
+export type Call =
+  | { name: 'check' | 'fix' | 'compile'; path: string }
+  | { name: 'answer' | 'file'; question: Record<string, string | undefined> };
 
 /** A request to the language server about a list. */
 export interface Question {
@@ -116,6 +118,11 @@ export class Program {
   /** An image. */
   compile(path: string): Promise<Timed<Uint8Array>> {
     return this.call({ name: 'compile', path });
+  }
+
+  /** An FMU of the filters of a machine. */
+  fmu(path: string, name: string): Promise<Timed<Uint8Array>> {
+    return this.call({ name: 'file', question: { question: 'fmu', input: path, name } });
   }
 
   answer(question: Record<string, string | undefined>): Promise<Timed<string>> {

@@ -89,6 +89,7 @@ const texts = {
   unsaved: ['Unsaved changes: {files}. Discard them?', 'Nicht gespeicherte Änderungen: {files}. Verwerfen?'],
   isChanged: ['changed', 'geändert'],
   compile: ['Save coefficient image', 'Koeffizientenabbild speichern'],
+  fmu: ['Save FMU for simulation', 'FMU für die Simulation speichern'],
   share: ['Copy link', 'Link kopieren'],
   shared: ['Link copied; it contains the list.', 'Link kopiert; er enthält die Liste.'],
   inAddress: ['The address of this page now contains the list.', 'Die Adresse dieser Seite enthält jetzt die Liste.'],

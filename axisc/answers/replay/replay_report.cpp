@@ -74,12 +74,12 @@ std::string ReplayReport::name(ReplayedEntry const& entry, std::size_t axis) con
   return entry.kind == RecordedKind::step_velocity ? label + ".v_add" : label;
 }
 
-/// The same status in consecutive cycles is one event.
+/// The same status, or the same call with the same status, in consecutive cycles is one event.
 void ReplayReport::add_event(ReplayEvent event) {
   for (auto before = events_.rbegin(); before != events_.rend() && before->last + 1 >= event.first;
        ++before) {
-    bool const goes_on = before->subject == event.subject && before->status == event.status &&
-                         before->what.is_nothing() && event.what.is_nothing();
+    bool const goes_on =
+        before->subject == event.subject && before->status == event.status && before->call == event.call;
     if (!goes_on) continue;
     before->last = event.last;
     return;
@@ -92,7 +92,9 @@ void ReplayReport::add_call(ReplayedEntry const& entry) {
                     .last = entry.cycle,
                     .subject = name(entry, entry.index),
                     .what = {},
+                    .call = std::to_string(static_cast<unsigned>(entry.kind)),
                     .status = entry.recorded_status};
+  for (double const value : entry.in) event.call += " " + std::to_string(std::bit_cast<std::uint64_t>(value));
   auto const at = [&entry](SentenceRef words) {
     return Words(words, {{"value", Quantity{.value = entry.in.at(0), .digits = Digits::exact()}}});
   };
@@ -102,7 +104,8 @@ void ReplayReport::add_call(ReplayedEntry const& entry) {
     case RecordedKind::reset_velocity: event.what = Words(says::reset_velocity); break;
     case RecordedKind::rebase: event.what = at(says::rebase); break;
     default:
-      event.what = command_text(entry.command);
+      event.call = command_text(entry.command);
+      event.what = event.call;
       event.subject = entry.index < image_.groups.size() ? image_.groups[entry.index].name : std::string();
       if (event.subject.empty()) event.subject = std::to_string(entry.index);
       break;
@@ -117,6 +120,7 @@ void ReplayReport::add_statuses(ReplayedEntry const& entry) {
                .last = entry.cycle,
                .subject = std::move(subject),
                .what = {},
+               .call = {},
                .status = status});
   };
   if (entry.status.empty()) add("-", entry.recorded_status);

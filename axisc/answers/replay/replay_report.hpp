@@ -17,6 +17,7 @@ struct ReplayEvent {
   std::uint64_t first = 0, last = 0;
   std::string subject;       ///< axis or channel
   presentation::Value what;  ///< "#FILTER ON [ORDER=20]"; nothing for a status alone
+  std::string call;          ///< the same text for equal calls; empty for a status alone
   axisrt_status status = AXISRT_OK;
 };
 

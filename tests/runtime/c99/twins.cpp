@@ -104,6 +104,10 @@ void Twins::step(std::vector<double> const& in) {
   compare_ports("interface", status,
                 axisrt_c_step_interface(c.runtime, in.data(), out_c_.data(), status_c_.data()));
   step_velocity(in);
+  for (std::uint32_t i = 0; i < groups(); ++i) {
+    compare("busy cycles", std::uint64_t{axisrt_busy_cycles(cxx.runtime, i)},
+            std::uint64_t{axisrt_c_busy_cycles(c.runtime, i)});
+  }
   for (std::uint32_t i = 0; i < axes(); ++i) {
     axisrt_axis_state const state = cxx.state(i);
     axisrt_c_axis_state state_c{};
