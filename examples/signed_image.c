@@ -12,6 +12,7 @@
 #include <sodium.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { cycle_time_ns = 1000000 };
 
@@ -22,11 +23,16 @@ static int verify(void* context, const uint8_t* key_id, const void* image, size_
   return crypto_sign_verify_detached(signature, image, size, context);
 }
 
+/* The file that `axisc keygen` wrote: a word, and 32 bytes in hexadecimal. */
 static int load_key(const char* path, unsigned char key[crypto_sign_PUBLICKEYBYTES]) {
-  FILE* const file = fopen(path, "rb");
-  size_t const size = file == NULL ? 0 : fread(key, 1, crypto_sign_PUBLICKEYBYTES, file);
-  if (file != NULL) fclose(file);
-  return size == crypto_sign_PUBLICKEYBYTES;
+  char text[2 * crypto_sign_PUBLICKEYBYTES + 1] = "";
+  size_t size = 0;
+  FILE* const file = fopen(path, "r");
+  if (file == NULL) return 0;
+  if (fscanf(file, "axisc-public-key-1 %64s", text) != 1) text[0] = 0;
+  fclose(file);
+  return sodium_hex2bin(key, crypto_sign_PUBLICKEYBYTES, text, strlen(text), NULL, &size, NULL) == 0 &&
+         size == crypto_sign_PUBLICKEYBYTES;
 }
 
 int main(int argc, char* argv[]) {
