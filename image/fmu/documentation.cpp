@@ -27,7 +27,7 @@ std::string type_of(FmuModel const& model, FmuVariable const& variable) {
   for (auto const& enumeration : model.enumerations) {
     if (enumeration.name != variable.enumeration) continue;
     for (auto const& [name, value] : enumeration.items) {
-      text += (text.empty() ? "" : ", ") + std::to_string(value) + " " + escaped(name);
+      text += (text.empty() ? "" : ", ") + std::to_string(value) + "&nbsp;" + escaped(name);
     }
   }
   return text;

@@ -56,8 +56,12 @@ Commands commands_of(UnpackedFmu const& fmu) {
   std::size_t settings = 0;
   for (auto const type : fmu.description.document_element().child("TypeDefinitions")) {
     if (!std::string_view(type.attribute("name").value()).starts_with("Filter")) continue;
-    for (auto const item : type.children("Item")) last = item.attribute("value").value(), settings += 1;
-    auto const text = std::string(type.last_child().attribute("name").value());
+    auto const items = fmu.version == FmiVersion::three ? type : type.child("Enumeration");
+    for (auto const item : items.children("Item")) {
+      last = item.attribute("value").value();
+      settings += 1;
+    }
+    auto const text = std::string(items.last_child().attribute("name").value());
     commands.options = " --at '50:#FILTER OFF' --at '500:#" +
                        std::string(text.starts_with("VIB") ? text : "FILTER " + text) + "'";
   }
