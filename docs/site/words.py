@@ -63,6 +63,6 @@ GUIDES = [
     ({"en": "Pipelines and programs", "de": "Pipelines und Programme (englisch)"},
      ["pipelines.md", "findings.md", "python.md", "library.md", "webassembly.md"]),
     ({"en": "Controllers", "de": "Steuerungen (englisch)"},
-     ["runtime.md", "export.md", "certificate.md", "image-format.md", "linuxcnc.md"]),
+     ["runtime.md", "export.md", "fmu.md", "certificate.md", "image-format.md", "linuxcnc.md"]),
     ({"en": "More", "de": "Weiteres (englisch)"}, ["glossary.md", "architecture.md"]),
 ]
