@@ -5,7 +5,8 @@ import { startWorker, type Parts } from './parts';
 /** What is asked of the library (axisc.h); the answer of `file` is bytes. */
 export type Call =
   | { name: 'check' | 'fix' | 'compile'; path: string }
-  | { name: 'answer' | 'file'; question: Record<string, string | undefined> };
+  | { name: 'answer'; question: Record<string, string | undefined> }
+  | { name: 'file'; question: Record<string, string | undefined> };
 
 /** A request to the language server about a list. */
 export interface Question {
