@@ -20,10 +20,13 @@ namespace axisc::cli::says {
 constexpr Sentence option_axis{"the vibrating axis", "die Achse, die schwingt"};
 constexpr Sentence option_resonance{"up to three natural frequencies, each perhaps with its damping ratio",
                                     "bis zu drei Eigenfrequenzen, jede vielleicht mit ihrem Dämpfungsgrad"};
+constexpr Sentence argument_suggest{"the machine, then recordings of the axis, as with --measured",
+                                    "die Maschine, dann Aufzeichnungen der Achse, wie mit --measured"};
 constexpr Sentence option_measured{
-    "find them in a measurement instead: two signals over time, a frequency response or a spectrum (CSV)",
-    "sie stattdessen in einer Messung finden: zwei Signale über der Zeit, ein Frequenzgang oder ein Spektrum "
-    "(CSV)"};
+    "find them in recordings instead: two signals over time, a frequency response or a spectrum; may be "
+    "repeated",
+    "sie stattdessen in Aufzeichnungen finden: zwei Signale über der Zeit, ein Frequenzgang oder ein "
+    "Spektrum; mehrfach möglich"};
 constexpr Sentence option_in{"column of the measurement's input (torque, or setpoint)",
                              "Spalte des Eingangs der Messung (Drehmoment oder Sollwert)"};
 constexpr Sentence option_out{"column of its output (velocity, or position)",
@@ -66,7 +69,8 @@ namespace {
 
 struct SuggestOptions {
   SuggestQuestion question;
-  std::optional<std::string> machine, tolerance, feed, radius, cycle_time, apply;
+  std::vector<std::string> inputs;
+  std::optional<std::string> tolerance, feed, radius, cycle_time, apply;
   bool diff = false;
   PictureTarget picture;
   presentation::Format format = presentation::Format::text;
@@ -75,10 +79,10 @@ struct SuggestOptions {
 void declare(CommandLine& command_line, SuggestOptions& options) {
   using Goal = std::optional<tuning::Goal>;
   auto& question = options.question;
-  command_line.argument("MACHINE", options.machine, says::argument_input);
+  command_line.arguments("MACHINE [RECORDING...]", options.inputs, says::argument_suggest);
   command_line.value("--axis", "NAME", question.axis, says::option_axis);
   command_line.value("--resonance", "HZ[:DAMPING][,...]", question.resonances, says::option_resonance);
-  command_line.value("--measured", "FILE.csv", question.measured, says::option_measured);
+  command_line.values("--measured", "FILE", question.measured, says::option_measured);
   command_line.value("--in", "COLUMN", question.columns.in, says::option_in);
   command_line.value("--out", "COLUMN", question.columns.out, says::option_out);
   command_line.value("--plant", "PLANT.json", question.plant, says::option_plant);
@@ -115,7 +119,7 @@ ExitStatus suggest(Invocation const& invocation) {
   CommandLine command_line("suggest", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(options.machine.has_value(), "MACHINE");
+  command_line.require(!options.inputs.empty(), "MACHINE");
   std::optional<std::size_t> number;
   if (options.apply) number = suggestion_number(*options.apply, question.plant.has_value());
   options.picture.check();
@@ -126,7 +130,8 @@ ExitStatus suggest(Invocation const& invocation) {
   if (options.tolerance) question.tolerance_mm = positive_number("--tolerance", *options.tolerance);
   if (options.feed) question.feed_mm_per_min = positive_number("--feed", *options.feed);
   if (options.radius) question.radius_mm = positive_number("--radius", *options.radius);
-  question.machine.input = *options.machine;
+  question.machine.input = options.inputs.front();
+  question.measured.insert(question.measured.end(), options.inputs.begin() + 1, options.inputs.end());
   Workspace workspace(overrides_with(options.cycle_time));
   auto const found =
       axisc::suggest(workspace, question,
@@ -149,7 +154,7 @@ ExitStatus suggest(Invocation const& invocation) {
   if (!found->helps()) return ExitStatus::findings;
   if (!number) return ExitStatus::success;
   out.flush();
-  auto const chosen = chosen_suggestion(*found, *number, *options.machine);
+  auto const chosen = chosen_suggestion(*found, *number, options.inputs.front());
   if (options.diff) out.write(patch_of(chosen.edits));
   if (!draws && is_text && !options.diff) print(chosen.answer, options.format, invocation, command_line);
   out.flush();

@@ -1,37 +1,15 @@
 #include "analysis/tuning/identification/measured_response.hpp"
 
+#include "analysis/tuning/identification/fourier.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace axisc::tuning {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// Radix 2, in place; the size is a power of two.
-void transform(std::vector<Complex>& values) {
-  std::size_t const count = values.size();
-  for (std::size_t i = 1, j = 0; i < count; ++i) {
-    std::size_t bit = count >> 1U;
-    for (; (j & bit) != 0; bit >>= 1U) j ^= bit;
-    j ^= bit;
-    if (i < j) std::swap(values[i], values[j]);
-  }
-  for (std::size_t size = 2; size <= count; size *= 2) {
-    for (std::size_t k = 0; k < size / 2; ++k) {
-      auto const turn =
-          std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(size));
-      for (std::size_t first = k; first < count; first += size) {
-        auto const even = values[first];
-        auto const odd = values[first + size / 2] * turn;
-        values[first] = even + odd;
-        values[first + size / 2] = even - odd;
-      }
-    }
-  }
-}
 
 std::vector<Complex> windowed(std::span<double const> signal) {
   auto const count = static_cast<double>(signal.size());

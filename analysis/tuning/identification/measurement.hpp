@@ -6,6 +6,7 @@
 #pragma once
 
 #include "analysis/recordings/recording.hpp"
+#include "analysis/tuning/identification/motion_pieces.hpp"
 #include "analysis/tuning/identification/resonances.hpp"
 
 #include <cstdint>
@@ -20,10 +21,10 @@ enum class MeasurementKind : std::uint8_t { signals, response, spectrum };
 
 struct Measurement {
   MeasurementKind kind = MeasurementKind::spectrum;
-  MeasuredResponse response{};      ///< unless signals
-  std::vector<double> in{}, out{};  ///< of signals
-  double sampling_rate = 0;         ///< of signals, Hz
-  std::string in_name{}, out_name{};
+  MeasuredResponse response{};            ///< unless signals
+  std::vector<double> in{}, out{};        ///< of signals
+  double sampling_rate = 0;               ///< of signals, Hz
+  InputKind input = InputKind::position;  ///< of signals
 };
 
 enum class MeasurementProblem : std::uint8_t {

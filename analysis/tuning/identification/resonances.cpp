@@ -1,9 +1,11 @@
 #include "analysis/tuning/identification/resonances.hpp"
 
+#include "analysis/tuning/identification/local_polynomial.hpp"
 #include "analysis/tuning/identification/mode_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace axisc::tuning {
@@ -13,12 +15,11 @@ constexpr double half_power = 0.70710678;
 constexpr std::size_t quarters = 4;
 constexpr std::size_t fewest_points = 5;
 constexpr double smallest_peak = 0.1;  ///< of the largest
-/// For a quarter, whose resolution is so coarse that a sharp peak loses coherence.
-constexpr double lowest_coherence_of_part = 0.5;
 
 struct Candidate {
   std::size_t top = 0;
   std::size_t first = 0, last = 0;  ///< of the half-power band
+  double prominence = 0;            ///< height as a multiple of the higher valley
 };
 
 /// Places that rise by peak_prominence above the lowest point on either side before something higher comes.
@@ -40,8 +41,9 @@ std::vector<Candidate> candidates_of(MeasuredResponse const& measured, double lo
   for (std::size_t i = 1; i + 1 < height.size(); ++i) {
     if (frequency[i] < lowest || frequency[i] > highest) continue;
     if (height[i] < height[i - 1] || height[i] <= height[i + 1]) continue;
-    if (height[i] < peak_prominence * std::max(valley(i, -1), valley(i, 1))) continue;
-    Candidate candidate{.top = i, .first = i, .last = i};
+    double const low = std::max(valley(i, -1), valley(i, 1));
+    if (height[i] < peak_prominence * low) continue;
+    Candidate candidate{.top = i, .first = i, .last = i, .prominence = low > 0 ? height[i] / low : 1e300};
     while (candidate.first > 0 && height[candidate.first - 1] >= half_power * height[i]) --candidate.first;
     while (candidate.last + 1 < height.size() && height[candidate.last + 1] >= half_power * height[i]) {
       ++candidate.last;
@@ -59,17 +61,73 @@ double mean_over(std::vector<double> const& values, Candidate const& candidate) 
   return std::accumulate(first, last, 0.0) / static_cast<double>(last - first);
 }
 
-std::optional<Doubt> doubt_about(MeasuredResponse const& measured, Candidate const& candidate,
-                                 double least_coherence = lowest_coherence) {
+bool is_excited(MeasuredResponse const& measured, Candidate const& candidate) {
   auto const& excitation = measured.excitation;
-  if (!excitation.empty()) {
-    double const strongest = *std::max_element(excitation.begin(), excitation.end());
-    if (mean_over(excitation, candidate) < lowest_excitation * strongest) return Doubt::no_excitation;
-  }
-  if (!measured.coherence.empty() && mean_over(measured.coherence, candidate) < least_coherence) {
+  if (excitation.empty()) return true;
+  double const strongest = *std::max_element(excitation.begin(), excitation.end());
+  return mean_over(excitation, candidate) >= lowest_excitation * strongest;
+}
+
+std::optional<Doubt> doubt_about(MeasuredResponse const& measured, Candidate const& candidate) {
+  if (!is_excited(measured, candidate)) return Doubt::no_excitation;
+  if (!measured.coherence.empty() && mean_over(measured.coherence, candidate) < lowest_coherence) {
     return Doubt::incoherent;
   }
   return std::nullopt;
+}
+
+/// Median of |h|/sd between two frequencies, of one entry at least.
+double ratio_between(LocalResponse const& local, double lowest, double highest) {
+  auto const& frequency = local.response.frequency;
+  if (frequency.empty()) return 0;
+  auto const place = [&](double f) { return std::lower_bound(frequency.begin(), frequency.end(), f); };
+  auto first = place(lowest);
+  auto last = place(highest);
+  if (first == frequency.end()) --first;
+  if (last == frequency.end() || (last > first && *last > highest)) --last;
+  std::vector<double> ratios;
+  for (auto at = first; at <= last; ++at) {
+    auto const i = static_cast<std::size_t>(at - frequency.begin());
+    double const size = std::abs(local.response.response[i]);
+    double const deviation = local.deviation[i];
+    ratios.push_back(size > 0 ? size / std::max(deviation, std::numeric_limits<double>::min()) : 0);
+  }
+  auto const middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
+/// The peak also rises above valleys that are higher by their deviation: what lies between two dips of noise
+/// is none. Valleys are those of the local polynomials, which are smoother; they round off a sharp peak, so
+/// that its height is Welch's, and half of the rise in dB is enough of theirs.
+bool rises_for_certain(LocalResponse const& local, MeasuredResponse const& measured,
+                       Candidate const& candidate) {
+  double const lowest = measured.frequency[candidate.first];
+  double const highest = measured.frequency[candidate.last];
+  auto const& frequency = local.response.frequency;
+  auto const size = [&](std::ptrdiff_t i) {
+    return std::abs(local.response.response[static_cast<std::size_t>(i)]);
+  };
+  auto const count = static_cast<std::ptrdiff_t>(frequency.size());
+  auto top = std::lower_bound(frequency.begin(), frequency.end(), lowest) - frequency.begin();
+  if (top == count) return false;
+  for (auto i = top; i < count && frequency[static_cast<std::size_t>(i)] <= highest; ++i) {
+    if (size(i) > size(top)) top = i;
+  }
+  auto const valley = [&](std::ptrdiff_t step) {
+    double low = size(top);
+    for (auto i = top + step; i >= 0 && i < count && size(i) <= size(top); i += step) {
+      low = std::min(low, size(i) + local.deviation[static_cast<std::size_t>(i)]);
+    }
+    return low;
+  };
+  double const height = std::max(size(top), std::abs(measured.response[candidate.top]));
+  double const low = std::max(valley(-1), valley(1));
+  return height >= peak_prominence * low && size(top) >= std::sqrt(peak_prominence) * low;
+}
+
+double ratio_of(LocalResponse const& local, MeasuredResponse const& measured, Candidate const& candidate) {
+  return ratio_between(local, measured.frequency[candidate.first], measured.frequency[candidate.last]);
 }
 
 /// If no peak rises because most of the band was not excited, the reason is missing excitation.
@@ -101,18 +159,23 @@ std::size_t power_of_two_within(std::size_t count) {
   return power;
 }
 
-/// The peak next to `peak` in a part of the recording; none where that part does not show it.
-std::optional<Peak> seen_in(MeasuredResponse const& part, Peak const& peak) {
+/// The peak around `peak` that rises most in a quarter; none where the quarter is too uncertain of all.
+std::optional<Peak> seen_in(LocalResponse const& quarter, Peak const& peak) {
   constexpr double around = 0.4;
-  auto const candidates = candidates_of(part, peak.frequency * (1 - around), peak.frequency * (1 + around));
+  auto const& measured = quarter.response;
+  Candidate const* best = nullptr;
+  auto const candidates =
+      candidates_of(measured, peak.frequency * (1 - around), peak.frequency * (1 + around));
   for (auto const& candidate : candidates) {
-    if (!doubt_about(part, candidate, lowest_coherence_of_part)) return peak_of(part, candidate);
+    bool const counts =
+        is_excited(measured, candidate) && ratio_of(quarter, measured, candidate) >= lowest_ratio_of_quarter;
+    if (counts && (best == nullptr || candidate.prominence > best->prominence)) best = &candidate;
   }
-  return std::nullopt;
+  return best != nullptr ? std::optional(peak_of(measured, *best)) : std::nullopt;
 }
 
 /// Compares the quarters; false where the peak moves.
-bool stays(Peak& peak, std::vector<MeasuredResponse> const& parts) {
+bool stays(Peak& peak, std::vector<LocalResponse> const& parts) {
   std::vector<double> frequencies, dampings;
   for (auto const& part : parts) {
     if (auto const seen = seen_in(part, peak)) {
@@ -123,7 +186,7 @@ bool stays(Peak& peak, std::vector<MeasuredResponse> const& parts) {
   // Most quarters must show it.
   if (2 * frequencies.size() <= quarters) return false;
   auto const [least, most] = std::minmax_element(frequencies.begin(), frequencies.end());
-  double const allowed = std::max(largest_movement * peak.frequency, 2 * parts.front().resolution());
+  double const allowed = std::max(largest_movement * peak.frequency, 2 * parts.front().response.resolution());
   if (*most - *least > allowed) return false;
   auto const error = [](std::vector<double> const& values) {
     auto const count = static_cast<double>(values.size());
@@ -137,60 +200,75 @@ bool stays(Peak& peak, std::vector<MeasuredResponse> const& parts) {
   return true;
 }
 
-Identification finished(std::vector<Peak> peaks, std::optional<Doubt> doubt, double doubtful) {
-  if (peaks.empty()) return {.peaks = {}, .doubt = doubt, .doubtful_frequency = doubtful};
-  std::sort(peaks.begin(), peaks.end(),
+Identification finished(Identification found) {
+  if (found.peaks.empty()) return found;
+  std::sort(found.peaks.begin(), found.peaks.end(),
             [](Peak const& a, Peak const& b) { return a.frequency < b.frequency; });
-  return {.peaks = std::move(peaks), .doubt = std::nullopt, .doubtful_frequency = 0};
+  return {.peaks = std::move(found.peaks), .doubt = std::nullopt};
+}
+
+/// Peaks that `doubt` has nothing against; of those that it doubts, the largest one is the reason.
+template <class About>
+Identification select(MeasuredResponse const& measured, double lowest, double highest, About doubt) {
+  Identification found;
+  for (auto const& candidate : candidates_of(measured, lowest, highest)) {
+    auto peak = peak_of(measured, candidate);
+    if (auto const here = doubt(candidate, peak)) {
+      if (!found.doubt) {
+        found.doubt = here;
+        found.doubtful_frequency = measured.frequency[candidate.top];
+        found.doubtful_ratio = peak.ratio.value_or(0);
+      }
+      continue;
+    }
+    bool const is_large =
+        found.peaks.empty() || peak.magnitude >= smallest_peak * found.peaks.front().magnitude;
+    if (is_large && found.peaks.size() < most_peaks) found.peaks.push_back(peak);
+  }
+  if (!found.doubt) found.doubt = doubt_without_peak(measured, lowest, highest);
+  return found;
 }
 
 }  // namespace
 
 Identification identify(MeasuredResponse const& measured, double lowest, double highest) {
-  if (measured.frequency.size() < fewest_points) return finished({}, Doubt::too_short, 0);
-  std::vector<Peak> peaks;
-  std::optional<Doubt> doubt;
-  double doubtful = 0;
-  for (auto const& candidate : candidates_of(measured, lowest, highest)) {
-    if (auto const here = doubt_about(measured, candidate)) {
-      if (!doubt) {
-        doubt = here;
-        doubtful = measured.frequency[candidate.top];
-      }
-      continue;
-    }
-    auto const peak = peak_of(measured, candidate);
-    bool const is_large = peaks.empty() || peak.magnitude >= smallest_peak * peaks.front().magnitude;
-    if (is_large && peaks.size() < most_peaks) peaks.push_back(peak);
-  }
-  if (!doubt) doubt = doubt_without_peak(measured, lowest, highest);
-  return finished(std::move(peaks), doubt, doubtful);
+  if (measured.frequency.size() < fewest_points) return {.peaks = {}, .doubt = Doubt::too_short};
+  return finished(select(measured, lowest, highest, [&](Candidate const& candidate, Peak const&) {
+    return doubt_about(measured, candidate);
+  }));
 }
 
 Identification identify(std::span<double const> in, std::span<double const> out, double sampling_rate,
                         double lowest, double highest) {
   std::size_t const count = std::min(in.size(), out.size());
-  if (count < fewest_samples) return finished({}, Doubt::too_short, 0);
-  auto const whole =
-      identify(estimate_response(in, out, sampling_rate, power_of_two_within(count / 4)), lowest, highest);
-  std::vector<MeasuredResponse> parts;
+  if (count < fewest_samples) return {.peaks = {}, .doubt = Doubt::too_short};
+  auto const whole = estimate_response(in, out, sampling_rate, power_of_two_within(count / 4));
+  auto const local = local_response(in, out, sampling_rate, quarters);
+  auto found =
+      select(whole, lowest, highest, [&](Candidate const& candidate, Peak& peak) -> std::optional<Doubt> {
+        peak.ratio = ratio_of(local, whole, candidate);
+        if (!is_excited(whole, candidate)) return Doubt::no_excitation;
+        if (*peak.ratio < lowest_ratio) return Doubt::uncertain;
+        if (!rises_for_certain(local, whole, candidate)) return Doubt::noisy;
+        return std::nullopt;
+      });
+  std::vector<LocalResponse> parts;
   std::size_t const quarter = count / quarters;
   for (std::size_t i = 0; i < quarters; ++i) {
-    parts.push_back(estimate_response(in.subspan(i * quarter, quarter), out.subspan(i * quarter, quarter),
-                                      sampling_rate, power_of_two_within(quarter / 4)));
+    parts.push_back(local_response(in.subspan(i * quarter, quarter), out.subspan(i * quarter, quarter),
+                                   sampling_rate, 1));
   }
   std::vector<Peak> peaks;
-  auto doubt = whole.doubt;
-  double doubtful = whole.doubtful_frequency;
-  for (auto peak : whole.peaks) {
+  for (auto peak : found.peaks) {
     if (stays(peak, parts)) {
       peaks.push_back(peak);
-    } else if (!doubt) {
-      doubt = Doubt::moving;
-      doubtful = peak.frequency;
+    } else if (peaks.empty()) {
+      found.doubt = Doubt::moving;
+      found.doubtful_frequency = peak.frequency;
     }
   }
-  return finished(std::move(peaks), doubt, doubtful);
+  found.peaks = std::move(peaks);
+  return finished(std::move(found));
 }
 
 }  // namespace axisc::tuning

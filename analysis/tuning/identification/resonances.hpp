@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/tuning/identification/measured_response.hpp"
+#include "analysis/tuning/identification/thresholds.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -10,19 +11,6 @@
 
 namespace axisc::tuning {
 
-/// Below this coherence noise or something else than the input moves the output.
-inline constexpr double lowest_coherence = 0.8;
-/// Power of the input as a share of its largest: below it, the input cannot show a resonance.
-inline constexpr double lowest_excitation = 1e-5;
-/// A peak rises above the valleys on either side by this factor (6 dB).
-inline constexpr double peak_prominence = 2;
-/// A peak that is found in the quarters of a recording at frequencies which differ by more than this share,
-/// and by more than the resolution, is not one resonance.
-inline constexpr double largest_movement = 0.06;
-/// Fewer samples show nothing.
-inline constexpr std::size_t fewest_samples = 2048;
-inline constexpr std::size_t most_peaks = 3;
-
 struct Peak {
   double frequency = 0;              ///< Hz
   double frequency_uncertainty = 0;  ///< Hz
@@ -30,6 +18,7 @@ struct Peak {
   double damping_uncertainty = 0;
   double magnitude = 0;               ///< of the response
   std::optional<double> coherence{};  ///< mean of the half-power band
+  std::optional<double> ratio{};      ///< of the response and its deviation, median of the half-power band
 };
 
 enum class Doubt : std::uint8_t {
@@ -37,6 +26,8 @@ enum class Doubt : std::uint8_t {
   no_peak,        ///< nothing rises
   no_excitation,  ///< the input has no energy at the peak
   incoherent,     ///< the coherence at the peak is below lowest_coherence
+  uncertain,      ///< the response at the peak is below lowest_ratio times its deviation
+  noisy,          ///< the peak does not rise by 6 dB from what the response around it may be
   moving,         ///< the peak is elsewhere in each part of the recording
 };
 
@@ -44,12 +35,14 @@ struct Identification {
   std::vector<Peak> peaks;        ///< by rising frequency, at most most_peaks; those of the largest magnitude
   std::optional<Doubt> doubt;     ///< present exactly where there are no peaks
   double doubtful_frequency = 0;  ///< Hz, of the largest peak that was not believed; 0: none
+  double doubtful_ratio = 0;      ///< of an uncertain one
 };
 
 /// Searches between two frequencies.
 [[nodiscard]] Identification identify(MeasuredResponse const& measured, double lowest, double highest);
 
-/// Searches an input and an output that were sampled together; the four quarters of the recording must agree.
+/// Searches an input and an output that were sampled together. Peaks are those of Welch's estimate; local
+/// polynomials over four parts (local_polynomial.hpp) say how certain each is; the quarters must agree.
 [[nodiscard]] Identification identify(std::span<double const> in, std::span<double const> out,
                                       double sampling_rate, double lowest, double highest);
 

@@ -1,33 +1,35 @@
 // `--measured`.
 #pragma once
 
-#include "analysis/tuning/identification/measurement.hpp"
-#include "axisc/answers/execution/recorded_scale.hpp"
-#include "axisc/files/recorded_choice.hpp"
-#include "diagnostics/message.hpp"
+#include "analysis/tuning/identification/modes.hpp"
+#include "axisc/answers/suggestion/measured_signals.hpp"
+#include "presentation/document.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace axisc {
 
+/// A column that was used, and for what: "in", or "run.csv: in" of one of several files.
+struct NamedColumn {
+  std::string signal;
+  MappedColumn column;
+};
+
 struct MeasuredResonances {
-  tuning::MeasurementKind kind = tuning::MeasurementKind::spectrum;
-  std::vector<MappedColumn> mapping;  ///< of signals: input and output
-  std::vector<tuning::Peak> peaks;
-  std::optional<Message> refusal;  ///< why there are no peaks, and what to record
+  std::vector<NamedColumn> mapping;  ///< of signals
+  tuning::ModeSearch found;          ///< with a mode at least
+  bool has_spectrum = false;         ///< which does not say what made its peaks
+  std::string unit;                  ///< of the setpoint; may be empty
 };
 
-/// Names of the columns with the input and the output of signals, or their numbers from 1.
-struct SignalColumns {
-  std::optional<std::string> in = {}, out = {};
-};
+/// Resonances in recordings of one axis (at least one), each two signals, a response or a spectrum. Failure
+/// (AX9005) for a file that is not a measurement, and where the recordings show no resonance, or not one that
+/// all of them bear out: it says what to record. AX9001 for a file that cannot be read.
+[[nodiscard]] MeasuredResonances measured_resonances(std::vector<std::string> const& paths,
+                                                     MeasuredAxis const& axis, SignalColumns const& columns);
 
-/// Resonances below `highest` Hz. Columns of signals that are not named are the torque and the velocity of
-/// the axis, or its command and actual position, or the only two of a text without a scope's header. Failure
-/// (AX9005) for a file that is no measurement, AX9001 for one that cannot be read.
-[[nodiscard]] MeasuredResonances measured_resonances(std::string const& path, AxisPlace const& axis,
-                                                     SignalColumns const& columns, double highest);
+/// The resonances, lines that are none, and the columns.
+void add_measured(std::vector<presentation::Block>& blocks, MeasuredResonances const& measured);
 
 }  // namespace axisc

@@ -1,6 +1,5 @@
 #include "axisc/answers/suggestion/suggest_answer.hpp"
 
-#include "axisc/answers/execution/mapping_table.hpp"
 #include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 
@@ -15,13 +14,6 @@ constexpr Sentence title{
     "verglichen"};
 constexpr Sentence no_filters{"axis {axis}: no filters are suggested; {count} settings compared",
                               "Achse {axis}: keine Filter vorgeschlagen; {count} Einstellungen verglichen"};
-constexpr Sentence measured{"measured", "gemessen"};
-constexpr Sentence uncertainty{"±", "±"};
-constexpr Sentence coherence{"coherence", "Kohärenz"};
-constexpr Sentence spectrum{
-    "a spectrum does not show what made the peaks: a tooth or a spindle may have; two signals show it",
-    "ein Spektrum zeigt nicht, woher die Spitzen kommen: auch ein Zahn oder eine Spindel kann es sein; zwei "
-    "Signale zeigen es"};
 constexpr Sentence recommended{"(recommended)", "(empfohlen)"};
 constexpr Sentence alternative{"{senses}: {chain}", "{senses}: {chain}"};
 constexpr Sentence command{"NC program: {command}", "NC-Programm: {command}"};
@@ -101,21 +93,6 @@ Section alternative_section(Suggestion const& suggestion, std::size_t index) {
   if (alternative.replaces_guard) section.blocks.emplace_back(Paragraph{says::replaces_guard});
   section.blocks.emplace_back(command_of(alternative));
   return section;
-}
-
-void add_measured(std::vector<Block>& blocks, MeasuredResonances const& measured) {
-  blocks.emplace_back(table_of(
-      "measured",
-      {column("frequency_hz", says::measured, Unit::hertz),
-       column("frequency_uncertainty_hz", says::uncertainty, Unit::hertz), column("damping", labels::damping),
-       column("damping_uncertainty", says::uncertainty), column("coherence", says::coherence)},
-      measured.peaks, [](tuning::Peak const& peak) {
-        return Row{fixed(peak.frequency, Unit::hertz, 2), fixed(peak.frequency_uncertainty, Unit::hertz, 2),
-                   fixed(peak.damping, Unit::none, 3), fixed(peak.damping_uncertainty, Unit::none, 3),
-                   quantity_or({}, peak.coherence, Unit::none, Digits::decimals(2))};
-      }));
-  if (measured.kind == tuning::MeasurementKind::spectrum) blocks.emplace_back(Paragraph{says::spectrum});
-  if (!measured.mapping.empty()) blocks.emplace_back(mapping_table({"in", "out"}, measured.mapping));
 }
 
 SentenceRef why_not_suggested(tuning::Candidate const& candidate, tuning::Task const& task) {

@@ -89,6 +89,17 @@ tuning::Task task_of(SuggestQuestion const& question, SuggestionSubject const& s
           .readings = subject.loaded.readings};
 }
 
+MeasuredAxis measured_axis(SuggestQuestion const& question, machine::Machine const& machine,
+                           std::size_t axis) {
+  constexpr double below_nyquist = 0.9;
+  constexpr double microseconds = 1000;
+  bool const in_machine = machine.axes.size() > 1 || names_machine(question.machine.input);
+  return {.place = axis_place(machine, axis, in_machine),
+          .is_rotary = machine.axes[axis].type == machine::AxisType::rotary,
+          .cycle_ms = machine.cycle_time.microseconds() / microseconds,
+          .highest_hz = below_nyquist * machine.cycle_time.nyquist().value};
+}
+
 Message nothing_helps(NoSuggestion const& none, SuggestQuestion const& question) {
   bool const keeps = none.keeps > 0;
   constexpr double percent = 100;
@@ -106,8 +117,8 @@ std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& qu
                                  ErrorSink const& errors) {
   auto const refuse = [](SentenceRef why) { return Failure({why}); };
   auto const& [in, out] = question.columns;
-  if (question.resonances.has_value() == question.measured.has_value()) throw refuse(says::one_source);
-  if (!question.measured && (in || out)) throw refuse(says::of_measured);
+  if (question.resonances.has_value() != question.measured.empty()) throw refuse(says::one_source);
+  if (question.measured.empty() && (in || out)) throw refuse(says::of_measured);
   auto const [path, list] = machine_of_input(workspace, question.machine);
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
@@ -129,21 +140,16 @@ std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& qu
                                   .axis = *axis};
   Suggested found{
       .axis = machine.axes[*axis].name, .group = machine.groups[subject.group].name, .files = checked->files};
-  for (auto const& file : {question.measured, question.plant}) {
-    if (file) found.files.push_back(*file);
-  }
+  found.files.insert(found.files.end(), question.measured.begin(), question.measured.end());
+  if (question.plant) found.files.push_back(*question.plant);
   std::optional<MeasuredResonances> measured;
   std::vector<tuning::Resonance> resonances;
-  if (question.measured) {
-    constexpr double below_nyquist = 0.9;
-    bool const in_machine = machine.axes.size() > 1 || names_machine(question.machine.input);
-    measured = measured_resonances(*question.measured, axis_place(machine, *axis, in_machine),
-                                   question.columns, below_nyquist * machine.cycle_time.nyquist().value);
-    found.refusal = measured->refusal;
-    if (found.refusal) return found;
-    for (auto const& peak : measured->peaks) {
+  if (!question.measured.empty()) {
+    measured =
+        measured_resonances(question.measured, measured_axis(question, machine, *axis), question.columns);
+    for (auto const& mode : measured->found.modes) {
       resonances.push_back(
-          {.frequency = peak.frequency, .damping = peak.damping, .uncertainty = peak.frequency_uncertainty});
+          {.frequency = mode.frequency, .damping = mode.damping, .uncertainty = mode.frequency_uncertainty});
     }
   } else {
     resonances = read_resonances(question.resonances.value_or(""), machine.cycle_time);

@@ -18,8 +18,8 @@ struct SuggestQuestion {
   MachineRequest machine;
   std::optional<std::string> axis;        ///< that vibrates; none: that of the list
   std::optional<std::string> resonances;  ///< see read_resonances(); none: those of the measurement
-  std::optional<std::string> measured;    ///< a file
-  SignalColumns columns;                  ///< of the measurement
+  std::vector<std::string> measured;      ///< files: recordings of the axis
+  SignalColumns columns;                  ///< of each of them
   std::optional<std::string> plant;       ///< a file: compare Improved Position Control too
   double tolerance_mm = 0.01, feed_mm_per_min = 4000, radius_mm = 10;
   std::optional<tuning::Goal> goal;

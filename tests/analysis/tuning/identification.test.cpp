@@ -78,7 +78,7 @@ TEST_CASE("resonances are found by frequency and damping, with an uncertainty th
       auto const& peak = found.peaks[i];
       CHECK(peak.frequency == Approx(modes[i].frequency).epsilon(0.015));
       CHECK(peak.damping == Approx(modes[i].damping).epsilon(0.25).margin(0.002));
-      CHECK(*peak.coherence >= lowest_coherence);
+      CHECK(*peak.ratio >= lowest_ratio);
       if (std::abs(peak.frequency - modes[i].frequency) > 3 * peak.frequency_uncertainty) ++outside;
     }
   }
@@ -91,7 +91,7 @@ TEST_CASE("an output that the input does not move shows no resonance") {
     auto const found = from(torque, velocities(noise(16384, 1, seed + 50), {{48, 0.03}}));
     INFO(seed);
     CHECK(found.peaks.empty());
-    CHECK((found.doubt == Doubt::incoherent || found.doubt == Doubt::no_excitation));
+    CHECK((found.doubt == Doubt::uncertain || found.doubt == Doubt::no_excitation));
   }
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("a resonance that moves is refused") {
     auto const found = from(torque, velocity);
     INFO(seed);
     CHECK(found.peaks.empty());
-    CHECK((found.doubt == Doubt::moving || found.doubt == Doubt::incoherent));
+    CHECK((found.doubt == Doubt::moving || found.doubt == Doubt::uncertain));
   }
 }
 

@@ -304,15 +304,16 @@ TEST_CASE("a measured resonance is suggested for like a named one, and doubtful 
   folder.write("bode.csv", measured_response(0.97));
   auto const outcome = measured(there);
   CHECK(outcome.status == 0);
-  CHECK(outcome.out.find("  measured [Hz]  ± [Hz]  damping      ±  coherence\n"
-                         "          48.00    0.12    0.030  0.003       0.97\n") != std::string::npos);
+  CHECK(outcome.out.find("  measured [Hz]  ± [Hz]  damping      ±  coherence  evidence\n"
+                         "          48.00    0.12    0.030  0.003       0.97  response\n") !=
+        std::string::npos);
   auto const found = json::parse(measured(there, {"--format", "json"}).out);
   CHECK(found["measured"][0]["coherence"].get<double>() == Approx(0.97));
   CHECK(found["resonances"][0]["damping"].get<double>() == Approx(0.03).epsilon(0.01));
 
   folder.write("bode.csv", measured_response(0.6));
   auto const doubtful = measured(there);
-  CHECK(doubtful.status == 1);
+  CHECK(doubtful.status == 2);
   CHECK(doubtful.out.empty());
   CHECK(doubtful.err.find("(48 Hz) (coherence below 0.8); record longer") != std::string::npos);
   CHECK(measured(there, {"--lang", "de"}).err.find("Kohärenz unter 0,8") != std::string::npos);
@@ -323,6 +324,54 @@ TEST_CASE("a measured resonance is suggested for like a named one, and doubtful 
   CHECK(broken.err.find(R"(bode.csv:3: "x" in column "b" is not a number)") != std::string::npos);
   CHECK(measured(there, {"--resonance", "48Hz"}).status == 2);
   CHECK(suggest(there, {"--in", "a"}).status == 2);
+}
+
+TEST_CASE("several recordings show a resonance by lines, and one says what is missing") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  auto const measuring = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"suggest", "machine.json", "--axis", "X"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_axisc(arguments, there);
+  };
+  // The recordings are of an axis whose closed loop has a pole at 48.06 Hz.
+  auto const both = measuring({"--measured", "full.csv", "60-percent.csv", "--format", "json"});
+  INFO(both.err);
+  REQUIRE(both.status == 0);
+  auto const found = json::parse(both.out);
+  REQUIRE(found["measured"].size() == 1);
+  auto const& mode = found["measured"][0];
+  CHECK(mode["evidence"] == json{"lines"});
+  CHECK(mode["damping"].is_null());
+  double const uncertainty = mode["frequency_uncertainty_hz"];
+  CHECK(mode["frequency_hz"].get<double>() == Approx(48.06).margin(3 * uncertainty));
+  CHECK(found["mapping"].size() == 4);
+  CHECK(found["mapping"][2]["signal"] == "60-percent.csv: in");
+  CHECK(measuring({"--measured", "full.csv", "--measured", "60-percent.csv", "--format", "json"}).out ==
+        both.out);
+
+  auto const one = measuring({"--measured", "full.csv"});
+  CHECK(one.status == 2);
+  CHECK(one.out.empty());
+  CHECK(one.err.find("repeat at 60 % override") != std::string::npos);
+  CHECK(measuring({"--measured", "full.csv", "--lang", "de"}).err.find("mit 60 % Override") !=
+        std::string::npos);
+  // The same without a header and without times: a row is an NC cycle.
+  for (std::string const name : {"full.csv", "60-percent.csv"}) {
+    std::istringstream lines(folder.read(name));
+    std::string text;
+    std::string line;
+    for (std::getline(lines, line); std::getline(lines, line);)
+      text += line.substr(line.find(',') + 1) + "\n";
+    folder.write("plain-" + name, text);
+  }
+  auto const plain = json::parse(
+      measuring({"--measured", "plain-full.csv", "plain-60-percent.csv", "--format", "json"}).out);
+  CHECK(plain["measured"] == found["measured"]);
+  // Speeds in mm and in rows of another setpoint cannot be compared.
+  auto const mixed = measuring({"--measured", "full.csv", "plain-60-percent.csv"});
+  CHECK(mixed.status == 2);
+  CHECK(mixed.err.find("plain-60-percent.csv: its setpoint has another unit") != std::string::npos);
 }
 
 TEST_CASE("the suggestions are drawn with the resonance marked") {
