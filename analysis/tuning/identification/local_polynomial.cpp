@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t reach = 6;
+constexpr std::size_t reach = local_reach;
 constexpr std::size_t lines = 2 * reach + 1;
 constexpr std::size_t terms = 3;
 

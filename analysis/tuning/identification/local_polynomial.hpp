@@ -20,6 +20,8 @@
 
 namespace axisc::tuning {
 
+inline constexpr std::size_t local_reach = 6;  ///< lines on either side
+
 struct LocalResponse {
   MeasuredResponse response;      ///< without coherence
   std::vector<double> deviation;  ///< standard deviation of each entry; infinite where nothing is excited

@@ -14,6 +14,8 @@ namespace {
 /// Longer pieces at constant speed are cut: in a finer spectrum a resonance is no line any more.
 constexpr double longest_piece = 1.5;
 constexpr double lowest_frequency = 2;
+/// More pieces than these prove no more; those that count are spread over the recordings.
+constexpr std::size_t most_pieces = 500;
 
 bool agree(double a, double b) {
   return std::abs(a - b) <= largest_disagreement * std::min(a, b);
@@ -113,6 +115,14 @@ void cut(std::vector<SteadySignal>& into, Measurement const& recording, Piece co
   }
 }
 
+void thin_out(std::vector<SteadySignal>& signals) {
+  std::size_t const every = signals.size() / most_pieces + 1;
+  if (every == 1) return;
+  std::vector<SteadySignal> kept;
+  for (std::size_t i = 0; i < signals.size(); i += every) kept.push_back(std::move(signals[i]));
+  signals = std::move(kept);
+}
+
 Signals signals_of(std::span<Measurement const> recordings) {
   Signals signals;
   for (auto const& recording : recordings) {
@@ -127,6 +137,8 @@ Signals signals_of(std::span<Measurement const> recordings) {
     }
     for (auto const& piece : pieces.constant) cut(signals.moving, recording, piece);
   }
+  thin_out(signals.resting);
+  thin_out(signals.moving);
   return signals;
 }
 

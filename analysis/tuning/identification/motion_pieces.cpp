@@ -24,7 +24,8 @@ double way(std::span<double const> values) {
 std::vector<Piece> rests_of(std::span<double const> setpoint, double sampling_rate) {
   double const whole = way(setpoint);
   double const tolerance = resting * whole;
-  auto const shortest = static_cast<std::size_t>(std::ceil(shortest_rest * sampling_rate));
+  auto const shortest =
+      std::max(fewest_rest_samples, static_cast<std::size_t>(std::ceil(shortest_rest * sampling_rate)));
   std::vector<Piece> rests;
   if (!(whole > 0)) return rests;
   std::size_t moved_from = 0;

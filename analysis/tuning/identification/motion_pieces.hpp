@@ -22,7 +22,7 @@ struct Piece {
 };
 
 struct MotionPieces {
-  std::vector<Piece> rests;     ///< of shortest_rest at least, that follow a motion
+  std::vector<Piece> rests;     ///< of shortest_rest and fewest_rest_samples at least, after a motion
   std::vector<Piece> constant;  ///< of shortest_piece and fewest_piece_samples at least
 };
 

@@ -98,30 +98,33 @@ double ratio_between(LocalResponse const& local, double lowest, double highest) 
 }
 
 /// The peak also rises above valleys that are higher by their deviation: what lies between two dips of noise
-/// is none. Valleys are those of the local polynomials, which are smoother; they round off a sharp peak, so
-/// that its height is Welch's, and half of the rise in dB is enough of theirs.
+/// is none. Valleys are those of the local polynomials, which are smoother. They round off a sharp peak and
+/// count as deviation what they do so, wherever their lines reach it: valleys lie beyond, the height is
+/// Welch's, and half of the rise in dB is enough of theirs.
 bool rises_for_certain(LocalResponse const& local, MeasuredResponse const& measured,
                        Candidate const& candidate) {
-  double const lowest = measured.frequency[candidate.first];
-  double const highest = measured.frequency[candidate.last];
   auto const& frequency = local.response.frequency;
   auto const size = [&](std::ptrdiff_t i) {
     return std::abs(local.response.response[static_cast<std::size_t>(i)]);
   };
   auto const count = static_cast<std::ptrdiff_t>(frequency.size());
-  auto top = std::lower_bound(frequency.begin(), frequency.end(), lowest) - frequency.begin();
+  auto const place = [&](std::size_t i) {
+    return std::lower_bound(frequency.begin(), frequency.end(), measured.frequency[i]) - frequency.begin();
+  };
+  auto top = place(candidate.first);
   if (top == count) return false;
-  for (auto i = top; i < count && frequency[static_cast<std::size_t>(i)] <= highest; ++i) {
+  for (auto i = top; i < std::min(count, place(candidate.last) + 1); ++i) {
     if (size(i) > size(top)) top = i;
   }
+  double const height = std::max(size(top), std::abs(measured.response[candidate.top]));
   auto const valley = [&](std::ptrdiff_t step) {
-    double low = size(top);
-    for (auto i = top + step; i >= 0 && i < count && size(i) <= size(top); i += step) {
+    double low = height;
+    constexpr auto beyond = static_cast<std::ptrdiff_t>(2 * local_reach + 1);
+    for (auto i = top + step * beyond; i >= 0 && i < count && size(i) <= height; i += step) {
       low = std::min(low, size(i) + local.deviation[static_cast<std::size_t>(i)]);
     }
     return low;
   };
-  double const height = std::max(size(top), std::abs(measured.response[candidate.top]));
   double const low = std::max(valley(-1), valley(1));
   return height >= peak_prominence * low && size(top) >= std::sqrt(peak_prominence) * low;
 }
@@ -195,6 +198,9 @@ bool stays(Peak& peak, std::vector<LocalResponse> const& parts) {
     for (double const value : values) sum += (value - mean) * (value - mean);
     return std::sqrt(sum / (count - 1) / count);
   };
+  // Known worse than it is wide, it would be noise that a narrow mode was fitted to.
+  double const width = std::max(2 * peak.damping * peak.frequency, parts.front().response.resolution());
+  if (error(frequencies) > width) return false;
   peak.frequency_uncertainty = std::max(peak.frequency_uncertainty / 2, error(frequencies));
   peak.damping_uncertainty = std::max(peak.damping_uncertainty / 2, error(dampings));
   return true;

@@ -289,7 +289,12 @@ std::variant<RingDown, BadRingDown> ring_down(std::span<RestSignal const> rests,
   // A short window has less of the noise that is left when the oscillation has died away.
   double seconds = std::min(common, longest_window);
   constexpr std::size_t windows_tried = 3;
-  for (std::size_t i = 0; i < windows_tried && seconds >= shortest_rest; ++i, seconds /= 2) {
+  auto const is_enough = [&] {
+    return seconds >= shortest_rest && std::all_of(rests.begin(), rests.end(), [&](RestSignal const& rest) {
+             return seconds * rest.sampling_rate >= static_cast<double>(fewest_rest_samples);
+           });
+  };
+  for (std::size_t i = 0; i < windows_tried && is_enough(); ++i, seconds /= 2) {
     Windows windows{.rests = {}, .seconds = seconds};
     for (auto const& rest : rests) {
       if (seconds_of(rest) >= seconds && windows.rests.size() < most_rests) windows.rests.push_back(&rest);
@@ -299,7 +304,7 @@ std::variant<RingDown, BadRingDown> ring_down(std::span<RestSignal const> rests,
     auto const& why = std::get<BadRingDown>(found);
     if (!bad || bad->doubt == RingDownDoubt::no_oscillation) bad = why;
   }
-  return *bad;
+  return bad.value_or(BadRingDown{});
 }
 
 }  // namespace axisc::tuning

@@ -31,6 +31,7 @@ inline constexpr std::size_t fewest_samples = 2048;
 // Of ring-down.
 
 inline constexpr double shortest_rest = 0.08;  ///< s
+inline constexpr std::size_t fewest_rest_samples = 20;
 inline constexpr std::size_t fewest_rests = 4;
 /// What the sine must explain of what offset and decays leave, and of the whole settling.
 inline constexpr double least_explained = 0.6;

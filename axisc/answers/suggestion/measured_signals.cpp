@@ -83,13 +83,18 @@ InputKind kind_of(recordings::Channel const& channel, ChosenColumn const& column
            : object == Object::velocity ? InputKind::velocity
                                         : InputKind::position;
   }
-  constexpr std::array<std::string_view, 10> forces{"torque", "force",   "current",  "moment", "kraft",
-                                                    "strom",  "voltage", "spannung", "[n]",    "[nm]"};
+  constexpr std::array<std::string_view, 2> positions{"position", "lage"};
+  constexpr std::array<std::string_view, 6> forces{"torque",     "force", "current",
+                                                   "drehmoment", "kraft", "strom"};
+  constexpr std::array<std::string_view, 3> force_units{"[N]", "[Nm]", "[A]"};
   constexpr std::array<std::string_view, 7> velocities{"veloc", "speed", "geschw", "drehzahl",
                                                        "/s]",   "/min]", "rpm"};
-  auto const name = ascii::lower_case(channel.name) + " [" + ascii::lower_case(channel.unit) + "]";
-  if (has_one_of(name, forces)) return InputKind::force;
-  return has_one_of(name, velocities) ? InputKind::velocity : InputKind::position;
+  auto const written = channel.name + " [" + channel.unit + "]";
+  auto const name = ascii::lower_case(written);
+  if (has_one_of(name, velocities)) return InputKind::velocity;
+  if (has_one_of(name, positions)) return InputKind::position;
+  bool const is_force = has_one_of(name, forces) || has_one_of(written, force_units);
+  return is_force ? InputKind::force : InputKind::position;
 }
 
 /// Converts a setpoint into mm or degrees where the file or the object says what it is in.
