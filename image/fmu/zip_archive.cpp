@@ -42,9 +42,9 @@ struct Entry {
 };
 
 Entry entry_of(ExportedFile const& file) {
-  auto compressed = deflated_bytes(file.content);
-  bool const is_smaller = compressed.size() < file.content.size();
-  Entry entry{.fields = {}, .data = is_smaller ? std::move(compressed) : file.content};
+  Entry entry{.fields = {}, .data = deflated_bytes(file.content)};
+  bool const is_smaller = entry.data.size() < file.content.size();
+  if (!is_smaller) entry.data = file.content;
   auto const* const content = reinterpret_cast<Bytef const*>(file.content.data());
   put16(entry.fields, version);
   put16(entry.fields, 0);
