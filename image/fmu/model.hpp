@@ -4,6 +4,7 @@
 #include "image/image_contents.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
