@@ -235,7 +235,6 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
           bytes_of(fmu));
   }
   CHECK(ask({{"question", "fmu"}, {"input", image}}).starts_with("PK"));
-  CHECK(ask({{"question", "machine_of"}, {"input", mill + "/x.lis"}}) == mill + "/machine.json");
   for (auto const* const kind : {"response", "step", "delay", "corner", "circle"}) {
     INFO(kind);
     CHECK(ask({{"question", "picture"}, {"input", mill}, {"kind", kind}}) ==
