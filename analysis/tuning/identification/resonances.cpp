@@ -199,7 +199,7 @@ bool stays(Peak& peak, std::vector<LocalResponse> const& parts) {
     return std::sqrt(sum / (count - 1) / count);
   };
   // Known worse than it is wide, it would be noise that a narrow mode was fitted to.
-  double const width = std::max(2 * peak.damping * peak.frequency, parts.front().response.resolution());
+  double const width = std::max(peak.damping * peak.frequency, parts.front().response.resolution());
   if (error(frequencies) > width) return false;
   peak.frequency_uncertainty = std::max(peak.frequency_uncertainty / 2, error(frequencies));
   peak.damping_uncertainty = std::max(peak.damping_uncertainty / 2, error(dampings));

@@ -302,6 +302,8 @@ std::variant<RingDown, BadRingDown> ring_down(std::span<RestSignal const> rests,
     auto found = search(windows, highest);
     if (std::holds_alternative<RingDown>(found)) return found;
     auto const& why = std::get<BadRingDown>(found);
+    // In a shorter window what keeps on would look like something else.
+    if (why.doubt == RingDownDoubt::keeps_on) return why;
     if (!bad || bad->doubt == RingDownDoubt::no_oscillation) bad = why;
   }
   return bad.value_or(BadRingDown{});

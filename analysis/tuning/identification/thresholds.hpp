@@ -40,7 +40,7 @@ inline constexpr double largest_half_difference = 0.06;  ///< of the frequency, 
 inline constexpr double largest_damping = 0.25;
 inline constexpr double fewest_periods = 2.4;  ///< in a rest
 /// What is left of an amplitude at the end of a rest: above it nothing rings down, something keeps shaking.
-inline constexpr double largest_remainder = 0.8;
+inline constexpr double largest_remainder = 0.5;
 
 // Of lines in the spectrum.
 

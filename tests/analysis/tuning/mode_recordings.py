@@ -6,7 +6,7 @@
 
 The first makes AXES axes (20) of each kind in FOLDER, runs `axisc suggest --measured` on each and counts how often it gives a
 frequency, how often the right one (6 %), how often one within three times its uncertainty, how often none. Ends with 1
-where a frequency is invented, or where too few are given. Needs numpy.
+where a frequency is invented (10 % off), or where too few are given. Needs numpy.
 
 An axis is two masses with a spring and a damper between them, driven by a force on the first, with Coulomb friction
 and torque ripple that depends on the position; a controller with proportional position loop and proportional and
@@ -179,6 +179,7 @@ class Trial:
                 continue
             given += 1
             worst = max([worst] + [mode["error"] for mode in found])
+            # Under friction a strongly damped pole lies elsewhere than without: 10 % off is invented.
             is_right = all(mode["error"] <= 0.06 for mode in found)
             right += is_right
             if not is_right:
@@ -192,7 +193,7 @@ class Trial:
         told = f", {said} say so" if words else ""
         print(f"{name}: {len(cases)} axes, {given} given, {right} right (6 %), {inside} within three uncertainties, worst "
               f"{100 * worst:.1f} %, damping within 30 %: {close_damping} of {dampings}{told}", flush=True)
-        self.bad |= given != right or (least is not None and given < least * len(cases))
+        self.bad |= worst > 0.1 or (least is not None and given < least * len(cases))
         if not any(truth for _, truth in cases):
             self.bad |= given > 0
         if words:
