@@ -16,6 +16,8 @@ constexpr Sentence parameter_value_in_unit{"this is {value}", "das sind {value}"
 
 constexpr Sentence headline{"`{parameter}` is out of range: {range}",
                             "`{parameter}` liegt außerhalb des Bereichs: {range}"};
+constexpr Sentence in_cycles{"`{parameter}` is out of range: {range} cycles",
+                             "`{parameter}` liegt außerhalb des Bereichs: {range} Zyklen"};
 constexpr Sentence raw{"as written in the list: {range}", "in der Schreibweise der Liste: {range}"};
 constexpr Sentence odd{"`{parameter}` must be even", "`{parameter}` muss gerade sein"};
 constexpr Sentence even{"the nearest values allowed are `{below}` and `{above}`",
@@ -70,9 +72,12 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, d
   name_parameter(finding, parameter, slot);
   std::string_view const unit = unit_of(parameter, context.type);
   say_reaction(finding, parameter, value);
-  finding.message = message_of(says::headline, Argument{"parameter", finding.parameter},
-                               Argument{"range", range_text(parameter, unit, true)});
-  if (!unit.empty()) {
+  // As the list has it: T would look like a factor.
+  bool const in_cycles = unit == "cycle";
+  finding.message = message_of(
+      in_cycles ? says::in_cycles : says::headline, Argument{"parameter", finding.parameter},
+      Argument{"range", in_cycles ? range_text(parameter, {}, false) : range_text(parameter, unit, true)});
+  if (!unit.empty() && !in_cycles) {
     finding.label = message_of(says::parameter_value_in_unit, Argument{"value", physical(value, unit)});
   }
   if (is_scaled(unit)) {
