@@ -103,15 +103,12 @@ std::vector<image::FmuPlatform> library_platforms(std::string_view word) {
   if (word == "none") return {};
   if (word == "auto") return {image::linux64, image::win64};
   std::vector<image::FmuPlatform> platforms;
-  for (auto const& name : split_list(word, ',')) {
-    if (name == image::linux64.key) {
-      platforms.push_back(image::linux64);
-    } else if (name == image::win64.key) {
-      platforms.push_back(image::win64);
-    } else {
-      throw Failure({says::not_a_platform, {{"value", name}}});
-    }
+  auto names = split_list(word, ',');
+  if (names.empty()) names.emplace_back(word);
+  for (auto const& platform : {image::linux64, image::win64}) {
+    if (std::erase(names, platform.key) > 0) platforms.push_back(platform);
   }
+  if (!names.empty()) throw Failure({says::not_a_platform, {{"value", names.front()}}});
   return platforms;
 }
 

@@ -20,8 +20,10 @@ constexpr Sentence option_export_output{
     "the FMU, or the folder of sources; it is made if it does not exist",
     "die FMU, oder der Ordner der Quelltexte; er wird angelegt, wenn es ihn nicht gibt"};
 constexpr Sentence option_binaries{
-    "libraries in the FMU: linux64, win64, both, none, or auto, for which compilers are installed (default)",
-    "Bibliotheken in der FMU: linux64, win64, beide, none, oder auto, wofür Compiler da sind (Standardwert)"};
+    "libraries in the FMU: linux64, win64 or linux64,win64; none; or auto, for which compilers are "
+    "installed (default)",
+    "Bibliotheken in der FMU: linux64, win64 oder linux64,win64; none; oder auto, wofür Compiler da "
+    "sind (Standardwert)"};
 constexpr Sentence option_plain_integers{
     "integers instead of booleans and enumerations in the FMU, for importers that lack these",
     "ganze Zahlen statt Booleans und Enumerations in der FMU, für Importeure, denen diese fehlen"};

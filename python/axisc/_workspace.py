@@ -173,13 +173,16 @@ class Workspace:
         return Machine(self, path)
 
     def answer(self, question: str, *, format: str = "json", **options: object) -> Any:
-        """A question of axisc.h. JSON as objects; other formats, pictures and pages as text."""
+        """A question of axisc.h. JSON as objects; other formats, pictures and pages as text; an FMU as bytes."""
         asked = {"question": question, "format": format, **options}
-        if question in ("picture", "report"):
+        if question in ("picture", "report", "fmu"):
             del asked["format"]
         texts = {key: os.fspath(value) if isinstance(value, os.PathLike) else str(value)
                  for key, value in asked.items() if value is not None}
-        text = self._call("answer", json.dumps(texts).encode()).decode()
+        data = self._call("answer", json.dumps(texts).encode())
+        if question == "fmu":
+            return data
+        text = data.decode()
         return json.loads(text) if "format" in asked and format == "json" else text
 
     def messages(self, *messages: Mapping[str, Any]) -> list[Document]:

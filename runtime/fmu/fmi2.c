@@ -24,7 +24,8 @@ static void log_message(fmi2CallbackLogger logger, void* environment, const char
 static fmi2Status report(const fmu* m, fmu_result result) {
   fmi2Status const status = result == FMU_OK ? fmi2OK : result == FMU_DISCARD ? fmi2Discard : fmi2Error;
   if (status != fmi2OK)
-    log_message((fmi2CallbackLogger)m->logger, m->environment, m->name, status, m->message);
+    log_message((fmi2CallbackLogger)m->logger, m->environment, m->name != NULL ? m->name : "", status,
+                m->message);
   return status;
 }
 

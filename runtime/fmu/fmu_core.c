@@ -191,7 +191,10 @@ static void step_ports(fmu* m) {
 static void cycle(fmu* m) {
   uint32_t i;
   for (i = 0; i < m->channel_count; ++i) {
-    if (m->command[i] != m->command_done[i]) command(m, i);
+    if (m->command[i] != m->command_done[i])
+      command(m, i);
+    else
+      m->command_status[i] = AXISRT_C_OK; /* one that waited may have been taken back */
   }
   for (i = 0; i < m->axis_count; ++i) {
     if (m->value[FMU_RESET][i] != 0 && m->was_reset[i] == 0) reset_axis(m, i);
@@ -222,7 +225,7 @@ fmu_result fmu_step(fmu* m, double time, double step) {
   count = (uint32_t)(cycles + 0.5);
   if (!(cycles - count < 1e-6 && count - cycles < 1e-6))
     return fail(m, FMU_DISCARD,
-                "a step takes a whole number of NC cycles: fixedInternalStepSize times 1, 2, 3");
+                "a step takes a whole number of NC cycles: stepSize of the description times 1, 2, 3");
   for (i = 0; i < count; ++i) cycle(m);
   m->time = time + step;
   return FMU_OK;

@@ -78,6 +78,10 @@ std::string ReplayReport::name(ReplayedEntry const& entry, std::size_t axis) con
 void ReplayReport::add_event(ReplayEvent event) {
   for (auto before = events_.rbegin(); before != events_.rend() && before->last + 1 >= event.first;
        ++before) {
+    // Another call in between, or the same one twice in a cycle, is no repetition.
+    bool const both_call = before->subject == event.subject && !before->call.empty() && !event.call.empty();
+    bool const is_other = before->call != event.call || before->status != event.status;
+    if (both_call && (is_other || before->last == event.first)) break;
     bool const goes_on =
         before->subject == event.subject && before->status == event.status && before->call == event.call;
     if (!goes_on) continue;

@@ -5,6 +5,7 @@
 #include "validator/rules/sentences.hpp"
 #include "validator/views/drive.hpp"
 
+#include <cmath>
 #include <string_view>
 
 namespace axisc::validator::says {
@@ -45,7 +46,8 @@ void balancing_filter(AxisContext const& axis, Report& report) {
   finding.severity = Severity::warning;
   finding.label = time_in_cycles(time.value.number, axis.cycle_time);
   finding.notes.push_back({says::limit_unknown, {}});
-  finding.help.push_back({says::help_longer, {{"cycle", microseconds(axis.cycle_time.microseconds())}}});
+  finding.help.push_back(
+      {says::help_longer, {{"cycle", microseconds(std::ceil(axis.cycle_time.microseconds()))}}});
   react(finding, too_short_number, {says::undocumented_reaction});
 }
 

@@ -13,7 +13,7 @@ constexpr Sentence twice{"the additional interface has two filters: `{time}` and
                          "die Zusatzschnittstelle hat zwei Filter: `{time}` und `{filter}`"};
 constexpr Sentence other_here{"the other filter", "der andere Filter"};
 constexpr Sentence which{"which of them acts is not documented; an image is not made of it",
-                         "welcher davon wirkt, ist nicht dokumentiert; ein Image entsteht daraus nicht"};
+                         "welcher davon wirkt, ist nicht dokumentiert; ein Abbild entsteht daraus nicht"};
 constexpr Sentence keep_one{"`{time} 0` keeps the newer filter", "`{time} 0` behält den neueren Filter"};
 constexpr Sentence too_short{"the time constant of the additional interface is shorter than an NC cycle",
                              "die Zeitkonstante der Zusatzschnittstelle ist kürzer als ein NC-Zyklus"};

@@ -25,8 +25,10 @@ constexpr Sentence least{"a weight gives at least P-AXIS-00293, and never less t
                          "ein Gewicht gibt mindestens P-AXIS-00293 und nie weniger als P-AXIS-00201"};
 constexpr Sentence value_here{"100 % are this value", "100 % sind dieser Wert"};
 constexpr Sentence reaction{"it limits the weighted value", "sie begrenzt den gewichteten Wert"};
-constexpr Sentence help_most{"write at most {percent} %", "höchstens {percent} % schreiben"};
-constexpr Sentence help_least{"write at least {percent} %", "mindestens {percent} % schreiben"};
+constexpr Sentence help_most{"axis {axis} allows at most {percent} %",
+                             "die Achse {axis} lässt höchstens {percent} % zu"};
+constexpr Sentence help_least{"axis {axis} needs at least {percent} %",
+                              "die Achse {axis} braucht mindestens {percent} %"};
 
 }  // namespace axisc::validator::says
 
@@ -173,9 +175,13 @@ class WeightCheck {
     bool const is_time = function.word->weighting.of == Of::ramp_times;
     bool const is_rapid = function.word->weighting.in == In::rapid;
     finding.notes.push_back(message(is_time ? says::least : is_rapid ? says::most_of_rapid : says::most));
-    double const share = 100 * limit_of(axis, function) / value.value.number;
-    finding.help.push_back(is_time ? message(says::help_least, {{"percent", number(std::ceil(share))}})
-                                   : message(says::help_most, {{"percent", number(std::floor(share))}}));
+    // Without a value of its own no share of it is enough.
+    if (value.value.number > 0) {
+      double const share = 100 * limit_of(axis, function) / value.value.number;
+      double const percent_kept = is_time ? std::min(std::ceil(share), 100.0) : std::floor(share);
+      finding.help.push_back(message(is_time ? says::help_least : says::help_most,
+                                     {{"axis", axis.name}, {"percent", number(percent_kept)}}));
+    }
     if (value.value_place()) {
       finding.related.push_back({.place = *value.value_place(), .message = message(says::value_here)});
     }

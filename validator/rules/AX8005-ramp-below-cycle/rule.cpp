@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace axisc::validator::says {
 
@@ -41,7 +42,7 @@ void ramp_below_cycle(AxisContext const& context, Report& report) {
   Finding& finding = report.add(first, {says::headline, {{"parameter", parameter_name(first)}}});
   finding.label = time_in_cycles(first.value.number, context.cycle_time);
   finding.notes.push_back({says::limit, {{"limit", microseconds(cycle)}}});
-  finding.help.push_back({says::help, {{"limit", microseconds(cycle)}}});
+  finding.help.push_back({says::help, {{"limit", microseconds(std::ceil(cycle))}}});
   for (EffectiveValue const* const other : std::span(short_ones).subspan(1)) {
     finding.related.push_back({*other->value_place(), {says::too, {{"parameter", parameter_name(*other)}}}});
   }
