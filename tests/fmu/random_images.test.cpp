@@ -53,7 +53,11 @@ class Reference {
     for (std::size_t i = 0; i < record_.axes.size(); ++i) set_inputs(random, i);
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       if (random.chance(15)) want(i, random.below(settings(i)));
-      if (wanted_[i] != done_[i]) command(i);
+      if (wanted_[i] != done_[i]) {
+        command(i);
+      } else {
+        command_status_[i] = AXISRT_OK;  // a command that waited was taken back
+      }
     }
     for (std::size_t i = 0; i < record_.axes.size(); ++i) {
       bool const is_low = !is_high_[i];
