@@ -115,9 +115,13 @@ void cut(std::vector<SteadySignal>& into, Measurement const& recording, Piece co
   }
 }
 
+/// Every n-th by speed: of each speed some stay.
 void thin_out(std::vector<SteadySignal>& signals) {
   std::size_t const every = signals.size() / most_pieces + 1;
   if (every == 1) return;
+  std::stable_sort(signals.begin(), signals.end(), [](SteadySignal const& left, SteadySignal const& right) {
+    return left.speed < right.speed;
+  });
   std::vector<SteadySignal> kept;
   for (std::size_t i = 0; i < signals.size(); i += every) kept.push_back(std::move(signals[i]));
   signals = std::move(kept);

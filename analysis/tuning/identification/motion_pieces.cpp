@@ -20,8 +20,8 @@ double way(std::span<double const> values) {
   return *high - *low;
 }
 
-/// Runs whose values stay within `tolerance` of their last one, which follow a motion.
-std::vector<Piece> rests_of(std::span<double const> setpoint, double sampling_rate) {
+/// Runs whose values stay within `tolerance` of their first one, after a motion. A velocity rests at 0.
+std::vector<Piece> rests_of(std::span<double const> setpoint, double sampling_rate, InputKind kind) {
   double const whole = way(setpoint);
   double const tolerance = resting * whole;
   auto const shortest =
@@ -36,7 +36,9 @@ std::vector<Piece> rests_of(std::span<double const> setpoint, double sampling_ra
       ++first;
       continue;
     }
-    if (first > 0 && way(setpoint.subspan(moved_from, first - moved_from + 1)) >= least_motion * whole) {
+    bool const can_rest = kind != InputKind::velocity || std::abs(setpoint[first]) <= tolerance;
+    if (can_rest && first > 0 &&
+        way(setpoint.subspan(moved_from, first - moved_from + 1)) >= least_motion * whole) {
       rests.push_back({.first = first, .count = end - first});
     }
     moved_from = end - 1;
@@ -90,7 +92,7 @@ std::vector<Piece> constant_pieces(std::vector<double> const& speeds, double sam
 
 MotionPieces motion_pieces(std::span<double const> setpoint, double sampling_rate, InputKind kind) {
   if (kind == InputKind::force || setpoint.empty()) return {};
-  return {.rests = rests_of(setpoint, sampling_rate),
+  return {.rests = rests_of(setpoint, sampling_rate, kind),
           .constant = constant_pieces(speeds_of(setpoint, sampling_rate, kind), sampling_rate)};
 }
 

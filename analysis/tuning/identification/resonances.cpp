@@ -248,8 +248,13 @@ Identification identify(std::span<double const> in, std::span<double const> out,
                         double lowest, double highest) {
   std::size_t const count = std::min(in.size(), out.size());
   if (count < fewest_samples) return {.peaks = {}, .doubt = Doubt::too_short};
-  auto const whole = estimate_response(in, out, sampling_rate, power_of_two_within(count / 4));
-  auto const local = local_response(in, out, sampling_rate, quarters);
+  // Longer recordings have more parts, not finer lines, which would split a wide peak.
+  auto const longest =
+      std::max(fewest_samples / quarters, static_cast<std::size_t>(longest_part * sampling_rate));
+  auto const parts_of = [longest](std::size_t samples) { return (samples + longest - 1) / longest; };
+  auto const whole =
+      estimate_response(in, out, sampling_rate, power_of_two_within(std::min(count / quarters, longest)));
+  auto const local = local_response(in, out, sampling_rate, std::max(quarters, parts_of(count)));
   auto found =
       select(whole, lowest, highest, [&](Candidate const& candidate, Peak& peak) -> std::optional<Doubt> {
         peak.ratio = ratio_of(local, whole, candidate);
@@ -262,7 +267,7 @@ Identification identify(std::span<double const> in, std::span<double const> out,
   std::size_t const quarter = count / quarters;
   for (std::size_t i = 0; i < quarters; ++i) {
     parts.push_back(local_response(in.subspan(i * quarter, quarter), out.subspan(i * quarter, quarter),
-                                   sampling_rate, 1));
+                                   sampling_rate, parts_of(quarter)));
   }
   std::vector<Peak> peaks;
   for (auto peak : found.peaks) {

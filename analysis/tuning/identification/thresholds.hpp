@@ -22,6 +22,8 @@ inline constexpr double lowest_ratio_of_quarter = 2;
 inline constexpr double lowest_excitation = 1e-5;
 /// A peak rises above the valleys on either side by this factor (6 dB).
 inline constexpr double peak_prominence = 2;
+/// Seconds of a part of a response: longer recordings have more parts.
+inline constexpr double longest_part = 16;
 /// A peak that is found in the quarters of a recording at frequencies which differ by more than this share,
 /// and by more than the resolution, is not one resonance.
 inline constexpr double largest_movement = 0.06;
@@ -43,6 +45,9 @@ inline constexpr double fewest_periods = 2.4;  ///< in a rest
 inline constexpr double largest_remainder = 0.5;
 
 // Of lines in the spectrum.
+
+/// Periods of a line in either half of a rest, from which it is told whether it dies away.
+inline constexpr double periods_of_rest = 4;
 
 inline constexpr double shortest_piece = 0.2;  ///< s, at constant speed
 inline constexpr std::size_t fewest_piece_samples = 128;

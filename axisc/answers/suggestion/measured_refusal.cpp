@@ -35,10 +35,11 @@ constexpr Sentence incoherent{
     "(Kohärenz unter 0,8); länger aufzeichnen, stärker anregen, ohne dass eine andere Achse oder Spindel "
     "läuft"};
 constexpr Sentence uncertain{
-    "the response{place} is {ratio} times its standard deviation, and 5 times is needed; record {times} "
-    "times as long, or with a stronger excitation, and with no other axis or spindle running",
+    "the response{place} is {ratio} times its standard deviation, and 5 times is needed; record a "
+    "minute or more, with a stronger excitation, and with no other axis or spindle running",
     "der Frequenzgang{place} ist das {ratio}-Fache seiner Standardabweichung, nötig ist das Fünffache; "
-    "{times}-mal so lange aufzeichnen oder stärker anregen, ohne dass eine andere Achse oder Spindel läuft"};
+    "eine Minute oder länger aufzeichnen und stärker anregen, ohne dass eine andere Achse oder Spindel "
+    "läuft"};
 constexpr Sentence noisy{
     "the response{place} does not rise for certain by 6 dB from the noise around it; record longer, with a "
     "stronger excitation, and with no other axis or spindle running",
@@ -49,6 +50,12 @@ constexpr Sentence moving{
     "recording; record at one position of the axes, with one load",
     "der Frequenzgang zeigt nicht eine Resonanz: Die Spitze{place} liegt in jedem Viertel der Aufzeichnung "
     "woanders; in einer Stellung der Achsen und mit einer Last aufzeichnen"};
+
+constexpr Sentence shaken{
+    "a line{place} keeps its frequency at every speed, but comes from the mains or goes on while the axis "
+    "rests: something else shakes the axis",
+    "eine Linie{place} behält ihre Frequenz bei jeder Geschwindigkeit, kommt aber vom Netz oder bleibt, "
+    "während die Achse ruht: Etwas anderes schüttelt die Achse"};
 
 constexpr Sentence few_rests{
     "ring-down takes {fewest} rests of 80 ms after a motion, and there are {rests}; record more stops",
@@ -156,12 +163,10 @@ Message disagreement_of(std::vector<std::string> const& paths, Disagreement cons
 
 Message response_doubt(Identification const& response) {
   double const ratio = std::max(response.doubtful_ratio, 0.1);
-  double const times = std::ceil(lowest_ratio * lowest_ratio / (ratio * ratio) * 10) / 10;
   return {sentence_of(response_doubts, *response.doubt),
           {{"samples", std::to_string(fewest_samples)},
            {"place", place_of(response.doubtful_frequency)},
-           {"ratio", format_rounded(ratio, 2)},
-           {"times", format_rounded(times, 2)}}};
+           {"ratio", format_rounded(ratio, 2)}}};
 }
 
 std::string names_of(std::vector<std::string> const& paths) {
@@ -185,13 +190,22 @@ Failure measured_refusal(std::vector<std::string> const& paths, ModeSearch const
                     {"fewest", std::to_string(fewest_rests)},
                     {"rests", std::to_string(search.rests)}}});
   }
-  if (search.lines && search.pieces > 0) {
+  bool const shakes =
+      std::any_of(search.others.begin(), search.others.end(), [](tuning::SpectralLine const& line) {
+        return line.kind == LineKind::mains || line.kind == LineKind::at_rest;
+      });
+  // Where something else keeps its frequency, it would not be true that nothing does.
+  bool const tells_lines = search.lines && !(shakes && *search.lines == tuning::LinesDoubt::no_lines);
+  if (tells_lines && search.pieces > 0) {
     why.push_back({sentence_of(line_doubts, *search.lines),
                    {{"fewest", std::to_string(fewest_pieces)}, {"pieces", std::to_string(search.pieces)}}});
   }
   for (auto const& line : search.others) {
-    if (line.kind == LineKind::ambiguous)
+    if (line.kind == LineKind::ambiguous) {
       why.push_back({says::ambiguous, {{"place", place_of(line.frequency)}}});
+    } else if (line.kind == LineKind::mains || line.kind == LineKind::at_rest) {
+      why.push_back({says::shaken, {{"place", place_of(line.frequency)}}});
+    }
   }
   return {names_of(paths), std::move(why), csv_malformed};
 }

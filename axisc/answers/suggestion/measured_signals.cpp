@@ -139,6 +139,16 @@ double sample_time_of(RecordingFile const& file, std::array<ChosenColumn, 2> con
   return times[0];
 }
 
+/// Velocities become those a second; the unit of what they cover, empty where it is not known.
+std::string distance_unit(std::vector<double>& velocities, std::string const& unit) {
+  constexpr std::string_view a_second = "/s", a_minute = "/min";
+  constexpr double seconds_per_minute = 60;
+  if (unit.ends_with(a_second)) return unit.substr(0, unit.size() - a_second.size());
+  if (!unit.ends_with(a_minute)) return {};
+  for (double& velocity : velocities) velocity /= seconds_per_minute;
+  return unit.substr(0, unit.size() - a_minute.size());
+}
+
 }  // namespace
 
 MeasuredSignals measured_signals(RecordingFile const& file, MeasuredAxis const& axis,
@@ -163,7 +173,8 @@ MeasuredSignals measured_signals(RecordingFile const& file, MeasuredAxis const& 
   if (found.measurement.input == InputKind::position) {
     found.unit = convert(found.measurement.in, in, chosen[0], axis.is_rotary);
   } else {
-    found.unit = in.unit;
+    bool const is_velocity = found.measurement.input == InputKind::velocity;
+    if (is_velocity) found.unit = distance_unit(found.measurement.in, in.unit);
   }
   return found;
 }
