@@ -171,9 +171,7 @@ bool is_at_rest(Match const& match, std::span<SteadySignal const> rests) {
   std::vector<double> shares, remainders;
   for (auto const& rest : rests) {
     std::size_t const half = rest.values.size() / 2;
-    // Some periods of the line tell whether it dies away.
-    double const seconds = std::max(shortest_piece / 2, periods_of_rest / match.mean());
-    bool const is_long = static_cast<double>(half) >= seconds * rest.sampling_rate;
+    bool const is_long = static_cast<double>(half) >= shortest_piece * rest.sampling_rate;
     if (!is_long) continue;
     std::span const values(rest.values);
     auto const amplitude = [&](std::span<double const> part) {

@@ -46,9 +46,6 @@ inline constexpr double largest_remainder = 0.5;
 
 // Of lines in the spectrum.
 
-/// Periods of a line in either half of a rest, from which it is told whether it dies away.
-inline constexpr double periods_of_rest = 4;
-
 inline constexpr double shortest_piece = 0.2;  ///< s, at constant speed
 inline constexpr std::size_t fewest_piece_samples = 128;
 inline constexpr std::size_t fewest_pieces = 3;
