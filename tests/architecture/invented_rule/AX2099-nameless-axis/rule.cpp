@@ -3,6 +3,7 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"the axis has no name of its own", "die Achse hat keinen eigenen Namen"};
+constexpr Sentence help{"write the name that programs use", "den Namen schreiben, den Programme verwenden"};
 
 }  // namespace axisc::validator::says
 
@@ -12,7 +13,8 @@ namespace {
 void nameless_axis(AxisContext const& axis, Report& report) {
   EffectiveValue const& name = axis.values.at("kopf.log_achs_name");
   if (name.unusable || name.value.text != "NONAME") return;
-  report.add(name, {says::headline, {}});
+  Finding& finding = report.add(name, {says::headline, {}});
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace
