@@ -1,6 +1,7 @@
 #include "analysis/circle/recorded_turns.hpp"
 
 #include "analysis/circle/circle_fit.hpp"
+#include "analysis/motion/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +27,6 @@ double const leaving = 2 * std::sqrt(2 * on_circle);
 /// A circle is found from no more positions than this.
 constexpr std::size_t most_fitted = 20'000;
 constexpr double whole = 2 * std::numbers::pi;
-
-double median(std::vector<double> values) {
-  auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Samples first to last, both included, that may be a turn.
 struct Run {
@@ -80,7 +75,7 @@ class TurnSearch {
     if (!(fastest > 2 * path_.resolution)) return false;
     auto moving = speed;
     std::erase_if(moving, [&](double each) { return each <= least_speed * fastest + 2 * path_.resolution; });
-    step_ = median(std::move(moving));
+    step_ = motion::median(std::move(moving));
     double const tolerance = has_setpoint_ ? speed_tolerance : actual_speed_tolerance;
     steady_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -112,7 +107,7 @@ class TurnSearch {
       if (!std::isfinite(circle_.radius)) return false;
       std::vector<double> away;
       for (auto const& each : steady) away.push_back(away_from_circle(each.u, each.v));
-      double const allowed = std::max(on_circle * circle_.radius, 2 * median(away));
+      double const allowed = std::max(on_circle * circle_.radius, 2 * motion::median(away));
       std::vector<Sample> closer;
       for (std::size_t i = 0; i < steady.size(); ++i) {
         if (away[i] <= allowed) closer.push_back(steady[i]);

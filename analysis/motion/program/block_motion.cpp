@@ -1,6 +1,6 @@
 #include "analysis/motion/program/block_motion.hpp"
 
-#include "analysis/motion/arc_words.hpp"
+#include "analysis/motion/program/arc_words.hpp"
 #include "analysis/motion/program/unused_words.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "analysis/tuning/identification/fourier.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -35,8 +36,7 @@ void by_halves(std::vector<Complex>& values) {
 ///     X_k = w*_k Σ_n (x_n w*_n) w_(k-n)
 void by_chirp(std::vector<Complex>& values) {
   std::size_t const count = values.size();
-  std::size_t size = 1;
-  while (size < 2 * count) size *= 2;
+  std::size_t const size = std::bit_ceil(2 * count);
   std::vector<Complex> chirp(count);
   for (std::size_t n = 0; n < count; ++n) {
     // e^(jπ n²/N) has the period 2N in n²: small angles keep their digits.
@@ -62,8 +62,7 @@ void by_chirp(std::vector<Complex>& values) {
 }  // namespace
 
 void transform(std::vector<Complex>& values) {
-  bool const is_power_of_two = (values.size() & (values.size() - 1)) == 0;
-  if (is_power_of_two) {
+  if (std::has_single_bit(values.size())) {
     by_halves(values);
   } else {
     by_chirp(values);

@@ -1,6 +1,7 @@
 #include "analysis/tuning/identification/line_spectrum.hpp"
 
 #include "analysis/motion/least_squares.hpp"
+#include "analysis/motion/statistics.hpp"
 #include "analysis/tuning/identification/fourier.hpp"
 #include "analysis/tuning/identification/thresholds.hpp"
 
@@ -38,12 +39,6 @@ std::vector<double> powers(std::span<double const> signal) {
   return power;
 }
 
-double median(std::vector<double> values) {
-  auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Entries from `first` up to `end`, as many as there are.
 std::vector<double> part(std::vector<double> const& power, std::ptrdiff_t first, std::ptrdiff_t end) {
   first = std::max<std::ptrdiff_t>(first, 1);
@@ -60,9 +55,9 @@ double rise(std::vector<double> const& power, std::size_t k) {
   auto below = part(power, at - own - side, at - own);
   auto const above = part(power, at + own + 1, at + own + 1 + side);
   if (below.size() < fewest_on_a_side || above.size() < fewest_on_a_side) return 0;
-  if (power[k] < side_height * std::max(median(below), median(above))) return 0;
+  if (power[k] < side_height * std::max(motion::median(below), motion::median(above))) return 0;
   below.insert(below.end(), above.begin(), above.end());
-  double const middle = median(std::move(below));
+  double const middle = motion::median(std::move(below));
   return middle > 0 ? power[k] / middle : 0;
 }
 

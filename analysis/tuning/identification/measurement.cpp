@@ -10,8 +10,6 @@
 namespace axisc::tuning {
 namespace {
 
-constexpr double lowest_frequency = 2;
-constexpr double highest_share = 0.4;  ///< of the sampling rate
 constexpr double lowest_bins = 4;
 
 using recordings::Channel;
@@ -85,17 +83,21 @@ std::variant<Measurement, BadMeasurement> response_measurement(Recording const& 
 }
 
 Identification identify(Measurement const& measurement, double highest) {
+  Identification found;
+  double lowest = lowest_frequency;
   if (measurement.kind != MeasurementKind::signals) {
-    auto const lowest = std::max(lowest_frequency, lowest_bins * measurement.response.resolution());
-    return identify(measurement.response, lowest, highest);
+    lowest = std::max(lowest, lowest_bins * measurement.response.resolution());
+    found = identify(measurement.response, lowest, highest);
+  } else {
+    auto const count = static_cast<double>(measurement.in.size());
+    // Where no resonance of a simulated axis was missed (tests/analysis/tuning/mode_recordings.py).
+    constexpr double parts = 16;
+    lowest = std::max(lowest, lowest_bins * parts * measurement.sampling_rate / std::max(1.0, count));
+    found = identify(measurement.in, measurement.out, measurement.sampling_rate, lowest,
+                     std::min(highest, highest_share * measurement.sampling_rate));
   }
-  auto const count = static_cast<double>(measurement.in.size());
-  // The parts that are compared have a sixteenth of the whole's resolution.
-  constexpr double parts = 16;
-  auto const lowest =
-      std::max(lowest_frequency, lowest_bins * parts * measurement.sampling_rate / std::max(1.0, count));
-  return identify(measurement.in, measurement.out, measurement.sampling_rate, lowest,
-                  std::min(highest, highest_share * measurement.sampling_rate));
+  found.lowest = lowest;
+  return found;
 }
 
 }  // namespace axisc::tuning

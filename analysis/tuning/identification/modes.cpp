@@ -13,7 +13,6 @@ namespace {
 
 /// Longer pieces at constant speed are cut: in a finer spectrum a resonance is no line any more.
 constexpr double longest_piece = 1.5;
-constexpr double lowest_frequency = 2;
 /// More pieces than these prove no more; those that count are spread over the recordings.
 constexpr std::size_t most_pieces = 500;
 
@@ -88,9 +87,11 @@ Responses common_modes(std::span<Measurement const> recordings, std::vector<Iden
       } else if (!responses.disagreement) {
         responses.disagreement =
             Disagreement{.evidence = {kind, kind}, .frequencies = {peak.frequency, 0}, .recordings = {i, i}};
-      } else if (responses.disagreement->frequencies[1] == 0) {
-        responses.disagreement->frequencies[1] = peak.frequency;
-        responses.disagreement->recordings[1] = i;
+      } else if (auto& [of, frequencies, of_recordings] = *responses.disagreement;
+                 frequencies[1] == 0 &&
+                 std::abs(peak.frequency - frequencies[0]) > largest_movement * frequencies[0]) {
+        frequencies[1] = peak.frequency;
+        of_recordings[1] = i;
       }
     }
   }
@@ -99,7 +100,6 @@ Responses common_modes(std::span<Measurement const> recordings, std::vector<Iden
 }
 
 struct Signals {
-  std::vector<RestSignal> rests;
   std::vector<SteadySignal> resting, moving;
 };
 
@@ -108,8 +108,7 @@ void cut(std::vector<SteadySignal>& into, Measurement const& recording, Piece co
   auto const parts = static_cast<std::size_t>(std::max(1.0, std::ceil(seconds / longest_piece)));
   std::size_t const length = piece.count / parts;
   for (std::size_t i = 0; i < parts; ++i) {
-    auto const first = recording.out.begin() + static_cast<std::ptrdiff_t>(piece.first + i * length);
-    into.push_back({.values = {first, first + static_cast<std::ptrdiff_t>(length)},
+    into.push_back({.values = std::span(recording.out).subspan(piece.first + i * length, length),
                     .sampling_rate = recording.sampling_rate,
                     .speed = piece.speed});
   }
@@ -119,9 +118,8 @@ void cut(std::vector<SteadySignal>& into, Measurement const& recording, Piece co
 void thin_out(std::vector<SteadySignal>& signals) {
   std::size_t const every = signals.size() / most_pieces + 1;
   if (every == 1) return;
-  std::stable_sort(signals.begin(), signals.end(), [](SteadySignal const& left, SteadySignal const& right) {
-    return left.speed < right.speed;
-  });
+  std::stable_sort(signals.begin(), signals.end(),
+                   [](auto const& left, auto const& right) { return left.speed < right.speed; });
   std::vector<SteadySignal> kept;
   for (std::size_t i = 0; i < signals.size(); i += every) kept.push_back(std::move(signals[i]));
   signals = std::move(kept);
@@ -133,16 +131,11 @@ Signals signals_of(std::span<Measurement const> recordings) {
     if (recording.kind != MeasurementKind::signals) continue;
     auto const pieces = motion_pieces(recording.in, recording.sampling_rate, recording.input);
     for (auto const& rest : pieces.rests) {
-      auto const first = recording.out.begin() + static_cast<std::ptrdiff_t>(rest.first);
-      signals.rests.push_back({.values = {first, first + static_cast<std::ptrdiff_t>(rest.count)},
-                               .sampling_rate = recording.sampling_rate});
-      signals.resting.push_back(
-          {.values = signals.rests.back().values, .sampling_rate = recording.sampling_rate});
+      signals.resting.push_back({.values = std::span(recording.out).subspan(rest.first, rest.count),
+                                 .sampling_rate = recording.sampling_rate});
     }
     for (auto const& piece : pieces.constant) cut(signals.moving, recording, piece);
   }
-  thin_out(signals.resting);
-  thin_out(signals.moving);
   return signals;
 }
 
@@ -241,17 +234,15 @@ ModeSearch find_modes(std::span<Measurement const> recordings, double highest) {
   std::vector<Identification> found;
   for (auto const& recording : recordings) found.push_back(identify(recording, highest));
   auto responses = common_modes(recordings, found);
-  auto const signals = signals_of(recordings);
+  auto signals = signals_of(recordings);
 
   ModeSearch answer;
-  answer.rests = signals.rests.size();
-  answer.pieces = signals.moving.size();
+  answer.rests = signals.resting.size();
   auto const loudest = std::max_element(
       found.begin(), found.end(), [](auto const& a, auto const& b) { return weight_of(a) < weight_of(b); });
-  answer.doubtful = static_cast<std::size_t>(loudest - found.begin());
   answer.response = *loudest;
   std::array<std::vector<FoundMode>, 3> kinds{std::move(responses.modes)};
-  auto const rung = ring_down(signals.rests, highest);
+  auto const rung = ring_down(signals.resting, highest);
   if (auto const* const ring = std::get_if<RingDown>(&rung)) {
     kinds[1].push_back({.frequency = ring->frequency,
                         .frequency_uncertainty = ring->frequency_uncertainty,
@@ -261,6 +252,9 @@ ModeSearch find_modes(std::span<Measurement const> recordings, double highest) {
   } else {
     answer.ring_down = std::get<BadRingDown>(rung);
   }
+  thin_out(signals.resting);
+  thin_out(signals.moving);
+  answer.pieces = signals.moving.size();
   auto lines = spectral_lines(signals.moving, signals.resting, lowest_frequency, highest);
   kinds[2] = modes_of(lines);
   answer.lines = lines.doubt;

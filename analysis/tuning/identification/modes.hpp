@@ -41,8 +41,7 @@ struct ModeSearch {
 
   // Why there is no mode, where there is none.
   std::optional<Disagreement> disagreement{};
-  Identification response{};          ///< of the recording `doubtful`
-  std::size_t doubtful = 0;           ///< the recording whose response comes closest to showing a mode
+  Identification response{};          ///< of the recording that comes closest to showing a mode
   std::size_t rests = 0, pieces = 0;  ///< at rest after a motion, at constant speed
   std::optional<BadRingDown> ring_down{};
   std::optional<LinesDoubt> lines{};

@@ -26,6 +26,13 @@ struct MotionPieces {
   std::vector<Piece> constant;  ///< of shortest_piece and fewest_piece_samples at least
 };
 
+/// The output while the axis moves at constant speed, or while it rests. The recording must outlive it.
+struct SteadySignal {
+  std::span<double const> values;
+  double sampling_rate = 0;  ///< Hz
+  double speed = 0;          ///< units of the setpoint a second; 0: at rest
+};
+
 /// Empty for a force.
 [[nodiscard]] MotionPieces motion_pieces(std::span<double const> setpoint, double sampling_rate,
                                          InputKind kind);

@@ -1,9 +1,11 @@
 #include "analysis/tuning/identification/resonances.hpp"
 
+#include "analysis/motion/statistics.hpp"
 #include "analysis/tuning/identification/local_polynomial.hpp"
 #include "analysis/tuning/identification/mode_fit.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -92,9 +94,7 @@ double ratio_between(LocalResponse const& local, double lowest, double highest) 
     double const deviation = local.deviation[i];
     ratios.push_back(size > 0 ? size / std::max(deviation, std::numeric_limits<double>::min()) : 0);
   }
-  auto const middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return motion::median(std::move(ratios));
 }
 
 /// The peak also rises above valleys that are higher by their deviation: what lies between two dips of noise
@@ -156,12 +156,6 @@ Peak peak_of(MeasuredResponse const& measured, Candidate const& candidate) {
   return peak;
 }
 
-std::size_t power_of_two_within(std::size_t count) {
-  std::size_t power = 1;
-  while (2 * power <= count) power *= 2;
-  return power;
-}
-
 /// The peak around `peak` that rises most in a quarter; none where the quarter is too uncertain of all.
 std::optional<Peak> seen_in(LocalResponse const& quarter, Peak const& peak) {
   constexpr double around = 0.4;
@@ -191,18 +185,12 @@ bool stays(Peak& peak, std::vector<LocalResponse> const& parts) {
   auto const [least, most] = std::minmax_element(frequencies.begin(), frequencies.end());
   double const allowed = std::max(largest_movement * peak.frequency, 2 * parts.front().response.resolution());
   if (*most - *least > allowed) return false;
-  auto const error = [](std::vector<double> const& values) {
-    auto const count = static_cast<double>(values.size());
-    double const mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
-    double sum = 0;
-    for (double const value : values) sum += (value - mean) * (value - mean);
-    return std::sqrt(sum / (count - 1) / count);
-  };
+  double const error = motion::standard_error(frequencies);
   // Known worse than it is wide, it would be noise that a narrow mode was fitted to.
   double const width = std::max(peak.damping * peak.frequency, parts.front().response.resolution());
-  if (error(frequencies) > width) return false;
-  peak.frequency_uncertainty = std::max(peak.frequency_uncertainty / 2, error(frequencies));
-  peak.damping_uncertainty = std::max(peak.damping_uncertainty / 2, error(dampings));
+  if (error > width) return false;
+  peak.frequency_uncertainty = std::max(peak.frequency_uncertainty / 2, error);
+  peak.damping_uncertainty = std::max(peak.damping_uncertainty / 2, motion::standard_error(dampings));
   return true;
 }
 
@@ -253,7 +241,7 @@ Identification identify(std::span<double const> in, std::span<double const> out,
       std::max(fewest_samples / quarters, static_cast<std::size_t>(longest_part * sampling_rate));
   auto const parts_of = [longest](std::size_t samples) { return (samples + longest - 1) / longest; };
   auto const whole =
-      estimate_response(in, out, sampling_rate, power_of_two_within(std::min(count / quarters, longest)));
+      estimate_response(in, out, sampling_rate, std::bit_floor(std::min(count / quarters, longest)));
   auto const local = local_response(in, out, sampling_rate, std::max(quarters, parts_of(count)));
   auto found =
       select(whole, lowest, highest, [&](Candidate const& candidate, Peak& peak) -> std::optional<Doubt> {

@@ -36,6 +36,7 @@ struct Identification {
   std::optional<Doubt> doubt;     ///< present exactly where there are no peaks
   double doubtful_frequency = 0;  ///< Hz, of the largest peak that was not believed; 0: none
   double doubtful_ratio = 0;      ///< of an uncertain one
+  double lowest = 0;              ///< Hz, from which on was searched
 };
 
 /// Searches between two frequencies.

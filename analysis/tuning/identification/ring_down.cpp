@@ -1,11 +1,13 @@
 #include "analysis/tuning/identification/ring_down.hpp"
 
+#include "analysis/motion/statistics.hpp"
 #include "analysis/tuning/identification/fourier.hpp"
 #include "analysis/tuning/identification/simplex.hpp"
 #include "analysis/tuning/identification/thresholds.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -16,8 +18,7 @@ namespace axisc::tuning {
 namespace {
 
 constexpr std::size_t most_rests = 40;
-constexpr double longest_window = 1;   ///< s
-constexpr double highest_share = 0.4;  ///< of the sampling rate
+constexpr double longest_window = 1;  ///< s
 constexpr std::size_t most_starts = 3;
 constexpr std::size_t groups = 6;  ///< of the jackknife
 
@@ -27,7 +28,7 @@ using Poles = std::array<double, 4>;   ///< f in Hz, D, τ1, τ2
 
 /// What is looked at together: the beginnings of some rests.
 struct Windows {
-  std::vector<RestSignal const*> rests;
+  std::vector<SteadySignal const*> rests;
   double seconds = 0;
 };
 
@@ -61,7 +62,7 @@ class Basis {
   }
 
   /// What the columns leave of a rest.
-  [[nodiscard]] std::vector<double> left_of(RestSignal const& rest) const {
+  [[nodiscard]] std::vector<double> left_of(SteadySignal const& rest) const {
     std::vector<double> left(rest.values.begin(), rest.values.begin() + static_cast<std::ptrdiff_t>(count_));
     for (auto const& one : columns_) {
       double const product = std::inner_product(one.begin(), one.end(), left.begin(), 0.0);
@@ -159,8 +160,7 @@ std::vector<double> starts(Windows const& windows, Decays const& decays, double 
     Basis basis(static_cast<std::size_t>(windows.seconds * rate), rate);
     add_decays(basis, std::exp(decays[0]), std::exp(decays[1]));
     auto const left = basis.left_of(*rest);
-    std::size_t size = 1;
-    while (size < 4 * left.size()) size *= 2;
+    std::size_t const size = std::bit_ceil(4 * left.size());
     std::vector<std::complex<double>> values(left.begin(), left.end());
     values.resize(size);
     transform(values);
@@ -224,7 +224,7 @@ void add_uncertainty(RingDown& found, Windows const& windows, Poles const& poles
   }
   auto const error = [count](std::vector<double> const& values) {
     auto const n = static_cast<double>(count);
-    double const mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    double const mean = motion::mean(values);
     double sum = 0;
     for (double const value : values) sum += (value - mean) * (value - mean);
     return std::sqrt(sum * (n - 1) / n);
@@ -246,9 +246,7 @@ std::variant<RingDown, BadRingDown> search(Windows const& windows, double highes
   auto const decays = best_decays(windows);
   auto const best = best_poles(windows, decays.place, highest);
   if (!best) return BadRingDown{.doubt = RingDownDoubt::no_oscillation};
-  RingDown found{.frequency = std::exp(best->place[0]),
-                 .damping = std::exp(best->place[1]),
-                 .rests = windows.rests.size()};
+  RingDown found{.frequency = std::exp(best->place[0]), .damping = std::exp(best->place[1])};
   auto const bad = [&](RingDownDoubt doubt) {
     bool const is_named = doubt != RingDownDoubt::no_oscillation;
     return BadRingDown{.doubt = doubt, .frequency = is_named ? found.frequency : 0};
@@ -275,9 +273,9 @@ std::variant<RingDown, BadRingDown> search(Windows const& windows, double highes
 
 }  // namespace
 
-std::variant<RingDown, BadRingDown> ring_down(std::span<RestSignal const> rests, double highest) {
+std::variant<RingDown, BadRingDown> ring_down(std::span<SteadySignal const> rests, double highest) {
   std::vector<double> lengths;
-  auto const seconds_of = [](RestSignal const& rest) {
+  auto const seconds_of = [](SteadySignal const& rest) {
     return static_cast<double>(rest.values.size()) / rest.sampling_rate;
   };
   for (auto const& rest : rests) lengths.push_back(seconds_of(rest));
@@ -290,7 +288,7 @@ std::variant<RingDown, BadRingDown> ring_down(std::span<RestSignal const> rests,
   double seconds = std::min(common, longest_window);
   constexpr std::size_t windows_tried = 3;
   auto const is_enough = [&] {
-    return seconds >= shortest_rest && std::all_of(rests.begin(), rests.end(), [&](RestSignal const& rest) {
+    return seconds >= shortest_rest && std::all_of(rests.begin(), rests.end(), [&](SteadySignal const& rest) {
              return seconds * rest.sampling_rate >= static_cast<double>(fewest_rest_samples);
            });
   };

@@ -9,6 +9,8 @@
 // variable projection (Golub and Pereyra 1973).
 #pragma once
 
+#include "analysis/tuning/identification/motion_pieces.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,18 +20,11 @@
 
 namespace axisc::tuning {
 
-/// The output while the setpoint rests.
-struct RestSignal {
-  std::vector<double> values;
-  double sampling_rate = 0;  ///< Hz
-};
-
 struct RingDown {
   double frequency = 0;  ///< natural, Hz
   double frequency_uncertainty = 0;
   double damping = 0;
   double damping_uncertainty = 0;
-  std::size_t rests = 0;
 };
 
 /// By the thresholds of thresholds.hpp.
@@ -48,7 +43,7 @@ struct BadRingDown {
 
 /// Searches below `highest` Hz. Of many rests the first 40 count, of each at most a second. Cost: some
 /// hundred passes over them.
-[[nodiscard]] std::variant<RingDown, BadRingDown> ring_down(std::span<RestSignal const> rests,
+[[nodiscard]] std::variant<RingDown, BadRingDown> ring_down(std::span<SteadySignal const> rests,
                                                             double highest);
 
 }  // namespace axisc::tuning

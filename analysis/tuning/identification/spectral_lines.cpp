@@ -1,6 +1,7 @@
 #include "analysis/tuning/identification/spectral_lines.hpp"
 
 #include "analysis/motion/spectrum.hpp"
+#include "analysis/motion/statistics.hpp"
 #include "analysis/tuning/identification/line_spectrum.hpp"
 #include "analysis/tuning/identification/thresholds.hpp"
 
@@ -30,20 +31,10 @@ struct Match {
   std::vector<double> speeds;
   double amplitude = 0;  ///< mean
 
-  [[nodiscard]] double mean() const {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  }
-  [[nodiscard]] double error() const {
-    auto const count = static_cast<double>(values.size());
-    double const middle = mean();
-    double sum = 0;
-    for (double const value : values) sum += (value - middle) * (value - middle);
-    return count > 1 ? std::sqrt(sum / (count - 1) / count) : 0;
-  }
+  [[nodiscard]] double mean() const { return motion::mean(values); }
 };
 
 std::vector<PieceLines> lines_in(std::span<SteadySignal const> pieces, double lowest, double highest) {
-  constexpr double highest_share = 0.4;
   std::vector<PieceLines> found;
   for (auto const& piece : pieces) {
     found.push_back({.speed = piece.speed,
@@ -160,12 +151,6 @@ bool is_of_mains(double frequency) {
   });
 }
 
-double median(std::vector<double> values) {
-  auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Rests show the line too, and it does not die away there.
 bool is_at_rest(Match const& match, std::span<SteadySignal const> rests) {
   std::vector<double> shares, remainders;
@@ -173,22 +158,23 @@ bool is_at_rest(Match const& match, std::span<SteadySignal const> rests) {
     std::size_t const half = rest.values.size() / 2;
     bool const is_long = static_cast<double>(half) >= shortest_piece * rest.sampling_rate;
     if (!is_long) continue;
-    std::span const values(rest.values);
     auto const amplitude = [&](std::span<double const> part) {
       return motion::amplitude_at(part, 1 / rest.sampling_rate, match.mean());
     };
-    double const late = amplitude(values.last(half));
+    double const late = amplitude(rest.values.last(half));
     shares.push_back(late / match.amplitude);
-    remainders.push_back(late / std::max(amplitude(values.first(half)), std::numeric_limits<double>::min()));
+    remainders.push_back(late /
+                         std::max(amplitude(rest.values.first(half)), std::numeric_limits<double>::min()));
   }
-  return !shares.empty() && median(shares) >= rest_share && median(remainders) >= rest_remainder;
+  return !shares.empty() && motion::median(shares) >= rest_share &&
+         motion::median(remainders) >= rest_remainder;
 }
 
 }  // namespace
 
 SpectralLines spectral_lines(std::span<SteadySignal const> pieces, std::span<SteadySignal const> rests,
                              double lowest, double highest) {
-  SpectralLines found{.lines = {}, .pieces = pieces.size(), .doubt = LinesDoubt::few_pieces};
+  SpectralLines found{.lines = {}, .doubt = LinesDoubt::few_pieces};
   if (pieces.size() < fewest_pieces) return found;
   LineSearch const search(lines_in(pieces, lowest, highest));
   if (!search.has_speeds()) {
@@ -206,17 +192,16 @@ SpectralLines spectral_lines(std::span<SteadySignal const> pieces, std::span<Ste
     if (kind == LineKind::constant) found.doubt = std::nullopt;
     found.lines.push_back({.kind = kind,
                            .frequency = frequency,
-                           .frequency_uncertainty = std::max(match.error(), least_uncertainty * frequency),
-                           .amplitude = match.amplitude,
-                           .pieces = match.values.size()});
+                           .frequency_uncertainty =
+                               std::max(motion::standard_error(match.values), least_uncertainty * frequency),
+                           .amplitude = match.amplitude});
   }
   for (auto const& match : proportional) {
     found.lines.push_back({.kind = LineKind::proportional,
                            .frequency = match.mean() * search.slowest(),
-                           .frequency_uncertainty = match.error() * search.slowest(),
+                           .frequency_uncertainty = motion::standard_error(match.values) * search.slowest(),
                            .amplitude = match.amplitude,
-                           .distance = 1 / match.mean(),
-                           .pieces = match.values.size()});
+                           .distance = 1 / match.mean()});
   }
   return found;
 }

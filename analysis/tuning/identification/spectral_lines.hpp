@@ -5,20 +5,14 @@
 // comes once a turn or a pitch is proportional to the speed.
 #pragma once
 
-#include <cstddef>
+#include "analysis/tuning/identification/motion_pieces.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace axisc::tuning {
-
-/// The output while the axis moves at constant speed, or while it rests.
-struct SteadySignal {
-  std::vector<double> values;
-  double sampling_rate = 0;  ///< Hz
-  double speed = 0;          ///< units of the setpoint a second; 0: at rest
-};
 
 enum class LineKind : std::uint8_t {
   constant,      ///< a resonance
@@ -33,8 +27,7 @@ struct SpectralLine {
   double frequency = 0;              ///< Hz; of a proportional one at the lowest speed
   double frequency_uncertainty = 0;  ///< standard error over the pieces, at least 0.5 %
   double amplitude = 0;              ///< mean over the pieces, in the unit of the signal
-  double distance = 0;     ///< units of the setpoint from one time to the next, of proportional ones
-  std::size_t pieces = 0;  ///< that show it
+  double distance = 0;  ///< units of the setpoint from one time to the next, of proportional ones
 };
 
 enum class LinesDoubt : std::uint8_t {
@@ -45,7 +38,6 @@ enum class LinesDoubt : std::uint8_t {
 
 struct SpectralLines {
   std::vector<SpectralLine> lines;  ///< those of one kind by rising frequency
-  std::size_t pieces = 0;
   std::optional<LinesDoubt> doubt;  ///< present where no line is constant
 };
 

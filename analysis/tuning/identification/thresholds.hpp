@@ -1,7 +1,8 @@
 // What a recording must show before a resonance is believed: every threshold of the search.
 //
-// They were set on real recordings of few machines, and no independent one was left to try them on: a change
-// needs new recordings, not an opinion.
+// Most were set on real recordings of few machines, the others on simulated axes
+// (tests/analysis/tuning/mode_recordings.py), and no independent recording was left to try them on: a change
+// needs new ones, not an opinion.
 #pragma once
 
 #include <array>
@@ -69,6 +70,8 @@ inline constexpr double mains_distance = 0.5;               ///< Hz
 
 // Of all kinds.
 
+inline constexpr double lowest_frequency = 2;         ///< Hz
+inline constexpr double highest_share = 0.4;          ///< of the sampling rate
 inline constexpr double largest_disagreement = 0.05;  ///< of a frequency, between kinds of evidence
 inline constexpr std::size_t most_peaks = 3;
 

@@ -3,10 +3,13 @@
 #include "analysis/tuning/identification/thresholds.hpp"
 #include "axisc/environment/codes.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/joined.hpp"
+#include "presentation/value.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace axisc::says {
@@ -17,11 +20,11 @@ constexpr Sentence too_short{
     "zu kurz für einen Frequenzgang: mindestens {samples} Abtastwerte aufzeichnen, besser 30 s, während "
     "Rauschen oder viele Anfahr- und Bremsvorgänge die Achse bewegen"};
 constexpr Sentence no_peak{
-    "the response shows no resonance: nothing rises by 6 dB; if the machine vibrates, record another signal "
-    "(torque and velocity, or setpoint and position of the direct measuring system)",
-    "der Frequenzgang zeigt keine Resonanz: Nichts ragt um 6 dB heraus; wenn die Maschine schwingt, ein "
-    "anderes Signal aufzeichnen (Drehmoment und Geschwindigkeit, oder Sollwert und Position des direkten "
-    "Messsystems)"};
+    "the response shows no resonance from {lowest} Hz on: nothing rises by 6 dB; if the machine vibrates, "
+    "record for longer, or another signal (torque and velocity, or setpoint and measured position)",
+    "der Frequenzgang zeigt ab {lowest} Hz keine Resonanz: Nichts ragt um 6 dB heraus; schwingt die "
+    "Maschine, länger oder ein anderes Signal aufzeichnen (Drehmoment und Geschwindigkeit, oder Sollwert und "
+    "gemessene Position)"};
 constexpr Sentence no_excitation{
     "the response does not show the resonances: the input has no energy there{place}; record noise or a sine "
     "sweep on the torque, or short moves with full acceleration",
@@ -154,8 +157,7 @@ Message disagreement_of(std::vector<std::string> const& paths, Disagreement cons
              {"second", hertz(1)}}};
   }
   auto const words = [&](std::size_t i) {
-    auto const& sentence = sentence_of(evidence_says, found.evidence.at(i));
-    return Wording(std::string(sentence.in(Language::english)), std::string(sentence.in(Language::german)));
+    return presentation::wording_of(sentence_of(evidence_says, found.evidence.at(i)));
   };
   return {says::kinds_disagree,
           {{"one", words(0)}, {"other", words(1)}, {"first", hertz(0)}, {"second", hertz(1)}}};
@@ -166,13 +168,13 @@ Message response_doubt(Identification const& response) {
   return {sentence_of(response_doubts, *response.doubt),
           {{"samples", std::to_string(fewest_samples)},
            {"place", place_of(response.doubtful_frequency)},
-           {"ratio", format_rounded(ratio, 2)}}};
+           {"ratio", format_rounded(ratio, 2)},
+           {"lowest", format_rounded(response.lowest, 3)}}};
 }
 
 std::string names_of(std::vector<std::string> const& paths) {
   constexpr std::size_t most = 3;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(most, paths.size()); ++i) names += (i > 0 ? ", " : "") + paths[i];
+  auto const names = joined(std::span(paths).first(std::min(most, paths.size())));
   return paths.size() > most ? names + ", …" : names;
 }
 

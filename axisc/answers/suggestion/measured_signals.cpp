@@ -97,11 +97,16 @@ InputKind kind_of(recordings::Channel const& channel, ChosenColumn const& column
   return is_force ? InputKind::force : InputKind::position;
 }
 
+/// In brackets behind the name, else the channel's; empty where neither names one.
+std::string named_unit(recordings::Channel const& channel) {
+  std::string named(recordings::unit_in_brackets(channel.name));
+  return named.empty() && recordings::names_unit(channel.unit) ? channel.unit : named;
+}
+
 /// Converts a setpoint into mm or degrees where the file or the object says what it is in.
 std::string convert(std::vector<double>& setpoint, recordings::Channel const& channel,
                     ChosenColumn const& column, bool is_rotary) {
-  std::string named(recordings::unit_in_brackets(channel.name));
-  if (named.empty() && recordings::names_unit(channel.unit)) named = channel.unit;
+  auto const named = named_unit(channel);
   auto thousandths = recordings::thousandths_in(named);
   bool const is_position =
       column.object && recordings::row_of(column.object->object).unit == recordings::ObjectUnit::position;
@@ -139,12 +144,12 @@ double sample_time_of(RecordingFile const& file, std::array<ChosenColumn, 2> con
   return times[0];
 }
 
-/// Velocities become those a second; the unit of what they cover, empty where it is not known.
+/// Velocities become those a second; the unit of what they cover in it, empty where theirs is not named.
 std::string distance_unit(std::vector<double>& velocities, std::string const& unit) {
   constexpr std::string_view a_second = "/s", a_minute = "/min";
   constexpr double seconds_per_minute = 60;
   if (unit.ends_with(a_second)) return unit.substr(0, unit.size() - a_second.size());
-  if (!unit.ends_with(a_minute)) return {};
+  if (!unit.ends_with(a_minute)) return unit.empty() ? unit : unit + " s";
   for (double& velocity : velocities) velocity /= seconds_per_minute;
   return unit.substr(0, unit.size() - a_minute.size());
 }
@@ -172,9 +177,8 @@ MeasuredSignals measured_signals(RecordingFile const& file, MeasuredAxis const& 
                         .unit = {}};
   if (found.measurement.input == InputKind::position) {
     found.unit = convert(found.measurement.in, in, chosen[0], axis.is_rotary);
-  } else {
-    bool const is_velocity = found.measurement.input == InputKind::velocity;
-    if (is_velocity) found.unit = distance_unit(found.measurement.in, in.unit);
+  } else if (found.measurement.input == InputKind::velocity) {
+    found.unit = distance_unit(found.measurement.in, named_unit(in));
   }
   return found;
 }

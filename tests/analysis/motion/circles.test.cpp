@@ -1,5 +1,5 @@
 // Circles, dwells and slopes: figures by hand, in position units (0.1 µm) and cycles of 1 ms.
-#include "analysis/motion/arc_words.hpp"
+#include "analysis/motion/program/arc_words.hpp"
 #include "channels.hpp"
 #include "support/catch.hpp"
 

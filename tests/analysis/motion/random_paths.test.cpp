@@ -1,6 +1,6 @@
 // Random blocks: lines and arcs, all slopes, modes, weights and windows. Nothing exceeds its limit, and the
 // motion is continuous.
-#include "analysis/motion/arc_words.hpp"
+#include "analysis/motion/program/arc_words.hpp"
 #include "motion_oracle.hpp"
 #include "planned_path.hpp"
 #include "support/catch.hpp"

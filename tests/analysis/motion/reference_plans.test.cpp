@@ -1,6 +1,6 @@
 // Plans that an independent program computed from the lists and words of a channel. They are read here
 // without the list reader and the interpreter, so that nothing but the planner is looked at.
-#include "analysis/motion/arc_words.hpp"
+#include "analysis/motion/program/arc_words.hpp"
 #include "planned_path.hpp"
 #include "support/catch.hpp"
 

@@ -1,4 +1,4 @@
-#include "analysis/motion/arc_words.hpp"
+#include "analysis/motion/program/arc_words.hpp"
 
 #include <algorithm>
 #include <cmath>
