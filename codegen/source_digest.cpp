@@ -57,4 +57,14 @@ Sha256 source_digest(std::span<machine::MachineList const> lists) {
   return hash.finish();
 }
 
+std::string hexadecimal(std::span<std::uint8_t const> bytes) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (auto const byte : bytes) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 0xFU];
+  }
+  return text;
+}
+
 }  // namespace axisc::codegen

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace axisc::codegen {
@@ -18,5 +19,8 @@ using Sha256 = std::array<std::uint8_t, 32>;
 
 /// The digest of each list's name, a zero byte, its size as little-endian u64, its bytes.
 [[nodiscard]] Sha256 source_digest(std::span<machine::MachineList const> lists);
+
+/// "0123abcd…".
+[[nodiscard]] std::string hexadecimal(std::span<std::uint8_t const> bytes);
 
 }  // namespace axisc::codegen

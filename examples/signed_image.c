@@ -1,8 +1,11 @@
 /* A controller that moves for images alone that the machine's maker has signed, and never goes back to an
  * older one.
  *
- *   signed_image IMAGE PUBLIC_KEY LOWEST_VERSION      axisc keygen plant.key; axisc sign IMAGE --key
- * plant.key
+ *   signed_image IMAGE PUBLIC_KEY LOWEST_VERSION
+ *
+ * The maker: axisc keygen plant.key
+ *
+ *            axisc sign IMAGE --key plant.key
  *
  * The key is in the controller's read-only memory there, the lowest version where a restart does not lose
  * it. */

@@ -68,14 +68,4 @@ std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis, image::
   return settings;
 }
 
-std::string hexadecimal(std::span<std::uint8_t const> bytes) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (auto const byte : bytes) {
-    text += digits[byte >> 4U];
-    text += digits[byte & 0xFU];
-  }
-  return text;
-}
-
 }  // namespace axisc

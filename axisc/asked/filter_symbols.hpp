@@ -30,7 +30,4 @@ namespace axisc {
 [[nodiscard]] std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis,
                                                          image::ImageFilter const& filter, bool interface);
 
-/// "0123abcd…".
-[[nodiscard]] std::string hexadecimal(std::span<std::uint8_t const> bytes);
-
 }  // namespace axisc

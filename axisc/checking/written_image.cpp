@@ -5,14 +5,11 @@
 #include "axisc/files/protected_files.hpp"
 #include "system/path.hpp"
 
-#include <filesystem>
 #include <utility>
 
 namespace axisc {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 void write_depfile(ImageTarget const& target, std::vector<std::string> const& sources) {
   if (!target.depfile) return;
@@ -29,8 +26,7 @@ ImageFate put(std::string const& bytes, ImageTarget const& target, std::vector<s
     write_depfile(target, sources);
     return ImageFate::unchanged;
   }
-  std::error_code error;  // reported when the file is created
-  if (target.makes_folder) fs::create_directories(system::path_of(target.path).parent_path(), error);
+  if (target.makes_folder) make_folder(system::path_of(target.path).parent_path());
   OutputFile output(target.path);
   output.write(bytes);
   // The rule is written first: an image without it would never be rebuilt.

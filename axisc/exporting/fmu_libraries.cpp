@@ -14,8 +14,8 @@
 namespace axisc::says {
 
 constexpr Sentence not_a_platform{
-    "\"{value}\" is not a system for --binaries: linux64, win64, none or auto",
-    "\"{value}\" ist kein System für --binaries: linux64, win64, none oder auto"};
+    "--binaries takes linux64, win64 or linux64,win64; or none or auto alone; not \"{value}\"",
+    "--binaries nimmt linux64, win64 oder linux64,win64; oder none oder auto allein; nicht „{value}“"};
 constexpr Sentence no_compiler{"{system}: no library, because {compiler} cannot be run",
                                "{system}: keine Bibliothek, weil {compiler} nicht ausgeführt werden kann"};
 constexpr Sentence other_target{"{system}: no library, because {compiler} compiles for {target}",
@@ -48,13 +48,17 @@ std::vector<std::string> command(image::Fmu const& fmu, image::FmiVersion versio
                                  "-shared",
                                  "-s"};
   if (is_windows(platform)) {
-    words.insert(words.end(), {"-static-libgcc", "-Wl,--no-insert-timestamp"});
+    // By itself the linker derives the address from the name of the file.
+    words.insert(words.end(),
+                 {"-static-libgcc", "-Wl,--no-insert-timestamp", "-Wl,--disable-auto-image-base"});
   } else {
     words.emplace_back("-fPIC");
   }
   words.emplace_back(version == image::FmiVersion::three ? "-DFMI3_OVERRIDE_FUNCTION_PREFIX"
                                                          : "-DFMI2_OVERRIDE_FUNCTION_PREFIX");
-  for (auto const& source : fmu.compiled) words.push_back(folder / source);
+  for (auto const& file : fmu.files) {
+    if (file.name.ends_with(".c")) words.push_back(folder / file.name);
+  }
   words.insert(words.end(), {"-o", library});
   return words;
 }

@@ -5,9 +5,6 @@
 #include "system/file.hpp"
 #include "system/path.hpp"
 
-#include <filesystem>
-#include <system_error>
-
 namespace axisc {
 
 namespace {
@@ -27,9 +24,7 @@ void write_files(std::string const& folder, std::vector<image::ExportedFile> con
   paths.reserve(files.size());
   for (auto const& file : files) paths.push_back(system::name_of(system::path_of(folder) / file.name));
   refuse_overwriting(paths, sources);
-  // Where this fails, so does the first file, which says why.
-  std::error_code ignored;
-  std::filesystem::create_directories(system::path_of(folder), ignored);
+  make_folder(system::path_of(folder));
   for (std::size_t i = 0; i < files.size(); ++i) write_if_different(paths[i], files[i].content);
 }
 

@@ -1,11 +1,11 @@
 #include "axisc/files/key_file.hpp"
 
-#include "axisc/asked/filter_symbols.hpp"
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/sentences.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "axisc/files/unique_name.hpp"
+#include "codegen/source_digest.hpp"
 #include "system/file.hpp"
 #include "system/interruption.hpp"
 #include "system/path.hpp"
@@ -170,7 +170,7 @@ bool is_secret_key(std::string const& path) {
 }
 
 std::string key_name(image::KeyId const& id) {
-  return hexadecimal(id);
+  return codegen::hexadecimal(id);
 }
 
 }  // namespace axisc

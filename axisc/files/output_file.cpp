@@ -30,6 +30,8 @@ constexpr Sentence changed{
     "cannot write {file}: it was changed while axisc worked on it; it stays as it is, run the command again",
     "{file} ist nicht schreibbar: während axisc daran arbeitete, wurde sie geändert; sie bleibt so, den "
     "Befehl wiederholen"};
+constexpr Sentence no_new_folder{"the folder {folder} cannot be made: {reason}",
+                                 "der Ordner {folder} lässt sich nicht anlegen: {reason}"};
 constexpr Sentence link_loop{"cannot write {file}: its symbolic links lead in a circle",
                              "{file} ist nicht schreibbar: ihre symbolischen Links führen im Kreis"};
 
@@ -171,6 +173,14 @@ void replace_content(std::string const& path, std::string_view before, std::stri
   OutputFile file(path);
   file.write(after);
   file.commit_over(before);
+}
+
+void make_folder(std::filesystem::path const& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return;
+  throw Failure({says::no_new_folder, {{"folder", system::name_of(folder)}, {"reason", error.message()}}},
+                cannot_write);
 }
 
 }  // namespace axisc

@@ -4,6 +4,7 @@
 #include "system/file.hpp"
 #include "system/interruption.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,5 +58,8 @@ class OutputFile {
 /// Replaces a file whose content was `before` when it was read. Failure if it was changed meanwhile: changes
 /// by another program are not lost.
 void replace_content(std::string const& path, std::string_view before, std::string_view after);
+
+/// Makes a folder, and those above it, where there is none. Failure (AX9002) with the system's reason.
+void make_folder(std::filesystem::path const& folder);
 
 }  // namespace axisc

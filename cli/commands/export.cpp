@@ -49,6 +49,7 @@ enum class ExportKind : std::uint8_t { none, c, fmu3, fmu2 };
 struct ExportOptions {
   MachineRequest request;
   std::optional<std::string> input, output, cycle_time, binaries;
+  std::vector<image::FmuPlatform> platforms;  ///< by `binaries`
   ExportKind kind = ExportKind::none;
   bool complete = false;
   bool plain_integers = false;
@@ -58,7 +59,7 @@ void declare(CommandLine& command_line, ExportOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_exported);
   command_line.choice("--to", {{"c", ExportKind::c}, {"fmu3", ExportKind::fmu3}, {"fmu2", ExportKind::fmu2}},
                       options.kind, says::option_export_kind);
-  command_line.value("-o,--output", "FILE.fmu|FOLDER", options.output, says::option_export_output);
+  command_line.value("-o,--output", "OUT", options.output, says::option_export_output);
   command_line.flag("--complete", options.complete, says::option_complete);
   command_line.value("--binaries", "linux64,win64|none|auto", options.binaries, says::option_binaries);
   command_line.flag("--plain-integers", options.plain_integers, says::option_plain_integers);
@@ -67,8 +68,11 @@ void declare(CommandLine& command_line, ExportOptions& options) {
 }
 
 /// Nothing that is asked for is ignored.
-void require_usable(ExportOptions const& options) {
-  if (options.kind != ExportKind::c) return;
+void require_usable(ExportOptions& options) {
+  if (options.kind != ExportKind::c) {
+    options.platforms = library_platforms(options.binaries.value_or("auto"));
+    return;
+  }
   if (options.binaries) throw Failure({says::only_for_fmu, {{"option", "--binaries"}}});
   if (options.plain_integers) throw Failure({says::only_for_fmu, {{"option", "--plain-integers"}}});
 }
@@ -105,7 +109,7 @@ void export_fmu(ExportOptions const& options, ExportedImage const& exported, Inv
        .name = model_name(*options.output),
        .complete = options.complete,
        .plain_integers = options.plain_integers},
-      library_platforms(options.binaries.value_or("auto")));
+      options.platforms);
   write_file(*options.output, fmu.archive, exported.sources);
   auto const language = invocation.language;
   for (auto const& missing : fmu.missing) invocation.streams.err.write(render(missing, language) + "\n");
@@ -130,7 +134,7 @@ ExitStatus export_filters(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
   command_line.require(options.kind != ExportKind::none, "--to");
-  command_line.require(options.output.has_value(), "-o FILE|FOLDER");
+  command_line.require(options.output.has_value(), "-o OUT");
   require_usable(options);
   options.request.input = *options.input;
   Workspace workspace(overrides_with(options.cycle_time));

@@ -40,7 +40,7 @@ std::variant<Fmu, EqualNames> fmu_of(std::span<std::byte const> image, ImageCont
   auto const& version = options.version == FmiVersion::three ? interface_3 : interface_2;
   std::array const sources{std::string_view("axisrt_c.c"), version.source, std::string_view("fmu_core.c"),
                            std::string_view("machine.c")};
-  Fmu fmu{.identifier = model.identifier, .files = {}, .compiled = {}};
+  Fmu fmu{.identifier = model.identifier, .files = {}};
   auto const add = [&fmu](std::string_view folder, std::string_view name, std::string_view content) {
     fmu.files.push_back({.name = std::string(folder) + std::string(name), .content = std::string(content)});
   };
@@ -60,7 +60,6 @@ std::variant<Fmu, EqualNames> fmu_of(std::span<std::byte const> image, ImageCont
   add("documentation/", "index.html", documentation(model, contents));
   add("documentation/licenses/", "license.txt", embedded::licence());
   add("extra/axisc/", "TE1420-axisc.xml", embedded::te1420_settings());
-  for (auto const source : sources) fmu.compiled.push_back("sources/" + std::string(source));
   return fmu;
 }
 

@@ -15,9 +15,8 @@
 namespace axisc::image {
 
 struct Fmu {
-  std::string identifier;             ///< of the model; names its libraries
-  std::vector<ExportedFile> files;    ///< modelDescription.xml, sources/…, documentation/…
-  std::vector<std::string> compiled;  ///< those of `files` that make its library, such as "sources/fmi3.c"
+  std::string identifier;           ///< of the model; names its libraries
+  std::vector<ExportedFile> files;  ///< modelDescription.xml, sources/…, of which *.c make its library, …
 };
 
 /// Everything but libraries. Expects an image that read_image() accepted, with its contents. The same files

@@ -113,14 +113,8 @@ void add_channel(FmuModel& model, ImageContents const& contents, std::size_t i) 
 }
 
 std::string token_of(std::span<std::byte const> image) {
-  constexpr std::string_view digits = "0123456789abcdef";
   auto const digest = codegen::sha256({reinterpret_cast<char const*>(image.data()), image.size()});
-  std::string text;
-  for (std::size_t i = 0; i < 16; ++i) {
-    text += digits[digest[i] >> 4U];
-    text += digits[digest[i] & 0xFU];
-  }
-  return text;
+  return codegen::hexadecimal(std::span(digest).first(16));
 }
 
 std::string seconds(design::CycleTime period) {

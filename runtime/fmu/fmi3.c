@@ -130,13 +130,8 @@ FMI3_EXPORT fmi3Status FMI3_NAME(DoStep)(fmi3Instance instance, fmi3Float64 time
 
 /* ---- variables --------------------------------------------------------------------------------- */
 
-/* Whether a variable may be read and written as numbers of such a type. Int32 is that of --plain-integers. */
-static int is_of_type(const fmu* m, fmi3ValueReference reference, fmu_type type, int is_plain) {
-  fmu_type const own = fmu_type_of(m, reference);
-  return own == type || (is_plain && own == FMU_BOOLEAN);
-}
-
-#define FMI3_VARIABLES(Name, type, own, is_plain)                                                           \
+/* Int32 is that of --plain-integers. */
+#define FMI3_VARIABLES(Name, type, types)                                                                   \
   FMI3_EXPORT fmi3Status FMI3_NAME(Get##Name)(fmi3Instance instance, const fmi3ValueReference references[], \
                                               size_t count, type values[], size_t value_count) {            \
     fmu* const m = (fmu*)instance;                                                                          \
@@ -144,8 +139,7 @@ static int is_of_type(const fmu* m, fmi3ValueReference reference, fmu_type type,
     size_t i;                                                                                               \
     if (m == NULL || value_count != count) return refuse(instance, "one value belongs to one reference");   \
     for (i = 0; i < count; ++i) {                                                                           \
-      if (!is_of_type(m, references[i], own, is_plain)) return refuse_type(instance, 1);                    \
-      if (fmu_get(m, references[i], &value) != FMU_OK) return report(m, FMU_ERROR);                         \
+      if (fmu_get(m, references[i], types, &value) != FMU_OK) return report(m, FMU_ERROR);                  \
       values[i] = (type)value;                                                                              \
     }                                                                                                       \
     return fmi3OK;                                                                                          \
@@ -156,15 +150,14 @@ static int is_of_type(const fmu* m, fmi3ValueReference reference, fmu_type type,
     size_t i;                                                                                               \
     if (m == NULL || value_count != count) return refuse(instance, "one value belongs to one reference");   \
     for (i = 0; i < count; ++i) {                                                                           \
-      if (!is_of_type(m, references[i], own, is_plain)) return refuse_type(instance, 1);                    \
-      if (fmu_set(m, references[i], (double)values[i]) != FMU_OK) return report(m, FMU_ERROR);              \
+      if (fmu_set(m, references[i], types, (double)values[i]) != FMU_OK) return report(m, FMU_ERROR);       \
     }                                                                                                       \
     return fmi3OK;                                                                                          \
   }
-FMI3_VARIABLES(Float64, fmi3Float64, FMU_REAL, 0)
-FMI3_VARIABLES(Boolean, fmi3Boolean, FMU_BOOLEAN, 0)
-FMI3_VARIABLES(Int32, fmi3Int32, FMU_ENUMERATION, 1)
-FMI3_VARIABLES(Int64, fmi3Int64, FMU_ENUMERATION, 0)
+FMI3_VARIABLES(Float64, fmi3Float64, FMU_REAL)
+FMI3_VARIABLES(Boolean, fmi3Boolean, FMU_BOOLEAN)
+FMI3_VARIABLES(Int32, fmi3Int32, FMU_ENUMERATION | FMU_BOOLEAN)
+FMI3_VARIABLES(Int64, fmi3Int64, FMU_ENUMERATION)
 
 #define FMI3_NO_VARIABLES(Name, type)                                                                       \
   FMI3_EXPORT fmi3Status FMI3_NAME(Get##Name)(fmi3Instance instance, const fmi3ValueReference references[], \

@@ -233,27 +233,28 @@ fmu_result fmu_step(fmu* m, double time, double step) {
 
 /* ---- variables --------------------------------------------------------------------------------- */
 
-static fmu_type type_of_kind(const fmu* m, uint32_t axis, uint32_t kind) {
-  if (kind >= FMU_KINDS) return FMU_NONE;
-  if (kind >= FMU_V_SET) return axisrt_c_has_position_control(m->runtime, axis) ? FMU_REAL : FMU_NONE;
-  if (kind >= FMU_INTERFACE) return axisrt_c_has_interface(m->runtime, axis) ? FMU_REAL : FMU_NONE;
+static int type_of_kind(const fmu* m, uint32_t axis, uint32_t kind) {
+  if (kind >= FMU_KINDS) return 0;
+  if (kind >= FMU_V_SET) return axisrt_c_has_position_control(m->runtime, axis) ? FMU_REAL : 0;
+  if (kind >= FMU_INTERFACE) return axisrt_c_has_interface(m->runtime, axis) ? FMU_REAL : 0;
   if (kind == FMU_STATUS) return FMU_ENUMERATION;
   return kind == FMU_SETTLED || kind == FMU_RESET ? FMU_BOOLEAN : FMU_REAL;
 }
 
-fmu_type fmu_type_of(const fmu* m, uint32_t reference) {
+/* 0: no variable of this machine. */
+static int type_of(const fmu* m, uint32_t reference) {
   uint32_t const block = reference / 16;
   if (reference == 0) return FMU_REAL;
-  if (block == 0) return FMU_NONE;
+  if (block == 0) return 0;
   if (block <= m->axis_count) return type_of_kind(m, block - 1, reference % 16);
-  return (reference - 16 * (m->axis_count + 1)) / 2 < m->channel_count ? FMU_ENUMERATION : FMU_NONE;
+  return (reference - 16 * (m->axis_count + 1)) / 2 < m->channel_count ? FMU_ENUMERATION : 0;
 }
 
-fmu_result fmu_get(fmu* m, uint32_t reference, double* value) {
+fmu_result fmu_get(fmu* m, uint32_t reference, int types, double* value) {
   uint32_t const block = reference / 16;
   uint32_t const of_channel = reference - 16 * (m->axis_count + 1);
-  if (fmu_type_of(m, reference) == FMU_NONE)
-    return fail(m, FMU_ERROR, "there is no variable of this reference");
+  if ((type_of(m, reference) & types) == 0)
+    return fail(m, FMU_ERROR, "this FMU has no variable of this type");
   if (m->phase == FMU_INITIALIZING && !m->is_settled) settle(m);
   if (block == 0) {
     *value = m->time;
@@ -270,11 +271,11 @@ static int is_input(uint32_t kind) {
          kind == FMU_V_MOTOR || kind == FMU_V_DIRECT;
 }
 
-fmu_result fmu_set(fmu* m, uint32_t reference, double value) {
+fmu_result fmu_set(fmu* m, uint32_t reference, int types, double value) {
   uint32_t const block = reference / 16;
   uint32_t const of_channel = reference - 16 * (m->axis_count + 1);
-  if (fmu_type_of(m, reference) == FMU_NONE)
-    return fail(m, FMU_ERROR, "there is no variable of this reference");
+  if ((type_of(m, reference) & types) == 0)
+    return fail(m, FMU_ERROR, "this FMU has no variable of this type");
   if (m->phase == FMU_TERMINATED) return fail(m, FMU_ERROR, "the simulation is terminated");
   m->is_settled = 0;
   if (block > 0 && block <= m->axis_count && is_input(reference % 16)) {

@@ -36,7 +36,8 @@ enum {
 /* Values of a channel's command; a bank follows OFF, or where the channel has guards GUARD_OFF. */
 enum { FMU_AS_AT_START, FMU_OFF, FMU_GUARD_OFF };
 
-typedef enum fmu_type { FMU_NONE, FMU_REAL, FMU_BOOLEAN, FMU_ENUMERATION } fmu_type;
+/* Bits: a caller may take several. */
+enum { FMU_REAL = 1, FMU_BOOLEAN = 2, FMU_ENUMERATION = 4 };
 typedef enum fmu_phase { FMU_INSTANTIATED, FMU_INITIALIZING, FMU_STEPPING, FMU_TERMINATED } fmu_phase;
 
 /* With the numbers of the FMI. */
@@ -66,10 +67,9 @@ struct fmu {
 fmu* fmu_instantiate(const char* token, const char* name, const char** why);
 void fmu_free(fmu* m);
 
-/* FMU_NONE: no variable of this machine. */
-fmu_type fmu_type_of(const fmu* m, uint32_t reference);
-fmu_result fmu_get(fmu* m, uint32_t reference, double* value);
-fmu_result fmu_set(fmu* m, uint32_t reference, double value);
+/* ERROR where there is no such variable, or none of these types. */
+fmu_result fmu_get(fmu* m, uint32_t reference, int types, double* value);
+fmu_result fmu_set(fmu* m, uint32_t reference, int types, double value);
 
 /* The phases in their order; exit puts every axis into the steady state at its setpoint. */
 fmu_result fmu_enter_initialization(fmu* m, double start);

@@ -32,7 +32,7 @@ class UnpackedFmu {
   /// "f17", as the importer takes it; empty for an unknown name.
   [[nodiscard]] std::string variable(std::string const& name) const;
   [[nodiscard]] std::vector<std::string> outputs() const;
-  /// Lines that the importer prints. `library`: another one than that of compile().
+  /// Lines that the importer prints. `token`: another one than that of the image.
   [[nodiscard]] std::vector<std::string> run(std::string const& scenario,
                                              std::vector<std::string> const& outputs,
                                              std::string const& token = "") const;

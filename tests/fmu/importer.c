@@ -1,8 +1,10 @@
-/* Imports the library of an FMU as any tool does, with declarations of its own:   importer LIBRARY TOKEN
- * PERIOD OUTPUT... < SCENARIO OUTPUT is f17, b18 or e19: type and reference. A line of the scenario sets
- * an input (f16 0x1.8p+3, b20 1, e80 2), or is "init", "step K" (K cycles, exact), "late" (a step that is
- * no whole number of cycles), "keep", "restore" or "reset". After init and each step a line has all
- * outputs. -DFMI=2 or -DFMI=3. */
+/* Imports the library of an FMU as any tool does, with declarations of its own:
+ *
+ *   importer LIBRARY TOKEN PERIOD OUTPUT... < SCENARIO
+ *
+ * OUTPUT is f17, b18 or e19: type and reference. A line of the scenario sets an input (f16 0x1.8p+3, b20 1,
+ * e80 2), or is "init", "step K" (K cycles, exact), "late" (a step that is no whole number of cycles),
+ * "keep", "restore" or "reset". After init and each step a line has all outputs. -DFMI=2 or -DFMI=3. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,6 @@
 
 #include "axisc/answers/certify/certified_axis.hpp"
 #include "axisc/answers/labels.hpp"
-#include "axisc/asked/filter_symbols.hpp"
 #include "axisc/files/key_file.hpp"
 #include "codegen/source_digest.hpp"
 #include "image/signature.hpp"
@@ -50,7 +49,7 @@ Words conclusion(image::CheckedBounds const& checked) {
 Facts head(CertifyQuestion const& question, ImageFile const& file, image::CheckedBounds const& checked) {
   auto const bytes = file.bytes.bytes();
   auto const digest =
-      hexadecimal(codegen::sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()}));
+      codegen::hexadecimal(codegen::sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()}));
   auto const signer = image::signer(bytes);
   Value const key = signer ? Value(key_name(*signer)) : Value();
   Words const signed_by =

@@ -3,8 +3,8 @@
 #include "axisc/answers/axis_type.hpp"
 #include "axisc/answers/inspect/inspect_parts.hpp"
 #include "axisc/answers/labels.hpp"
-#include "axisc/asked/filter_symbols.hpp"
 #include "axisc/files/key_file.hpp"
+#include "codegen/source_digest.hpp"
 #include "image/checked_bounds.hpp"
 #include "image/image_readings.hpp"
 #include "image/signature.hpp"
@@ -201,7 +201,7 @@ std::vector<std::size_t> reachable_kernels(image::ImageContents const& image,
 std::vector<Block> head(InspectQuestion const& question, ImageFile const& file) {
   auto const& image = file.contents;
   auto const signer = image::signer(file.bytes.bytes());
-  auto const digest = hexadecimal(image.source_digest);
+  auto const digest = codegen::hexadecimal(image.source_digest);
   Facts facts{
       {data("file", question.image),
        shown(says::format, std::to_string(image.format_major) + "." + std::to_string(image.format_minor)),
@@ -239,7 +239,8 @@ std::vector<Block> head(InspectQuestion const& question, ImageFile const& file) 
   if (image.lists.empty()) fields.push_back(shown(labels::lists, Words(says::stripped)));
   Table lists{.key = "lists"};
   for (auto const& [name, sha256] : image.lists) {
-    add_row(lists, {{"name", labels::list, name}, {"sha256", as_given("SHA-256"), hexadecimal(sha256)}});
+    add_row(lists,
+            {{"name", labels::list, name}, {"sha256", as_given("SHA-256"), codegen::hexadecimal(sha256)}});
   }
   std::vector<Block> blocks{std::move(facts), std::move(lists)};
   blocks.insert(blocks.end(), objects.begin(), objects.end());
