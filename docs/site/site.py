@@ -127,9 +127,9 @@ def write_guides(folder, subjects):
     if missing := set(texts) ^ listed:
         sys.exit(f"site.py: words.py and docs/ do not have the same guides: {', '.join(sorted(missing))}")
     files = [path.relative_to(docs).as_posix() for path in docs.rglob("*") if path.suffix in (".svg", ".png", ".json")]
-    known = set(texts) | set(files) | {"schemas"}
+    known = set(texts) | set(files)
     for name, text in texts.items():
-        write(folder / name, linked(guide(text, subjects, known - {"schemas"}), subjects, False))
+        write(folder / name, linked(guide(text, subjects, known), subjects, False))
     for name in files:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(docs / name, folder / name)
@@ -145,7 +145,6 @@ def configuration(folder, language):
     navigation += [{KINDS[kind][language]["title"]: f"{kind}/index.md"} for kind in KINDS]
     navigation += [{part[language]: [{title_of(folder, name): name} for name in names]} for part, names in GUIDES]
     other = "de" if language == "en" else "en"
-    up = ".." if language == "de" else "."
     return {"site_name": "axisc", "site_description": words["about"], "site_url": os.environ.get("AXISC_SITE") or None,
             "docs_dir": str(folder.resolve()), "site_dir": str((OUT / "site" / ("de" if language == "de" else "")).resolve()),
             "use_directory_urls": False, "nav": navigation, "plugins": [{"search": {"lang": language}}],
@@ -156,7 +155,7 @@ def configuration(folder, language):
             "extra": {"generator": False,
                       "alternate": [{"name": WORDS[language]["language"], "link": "index.html", "lang": language},
                                     {"name": WORDS[other]["language"], "lang": other,
-                                     "link": f"{up}/index.html" if other == "en" else "de/index.html"}]},
+                                     "link": "../index.html" if other == "en" else "de/index.html"}]},
             "markdown_extensions": ["tables", "attr_list", {"toc": {"permalink": True}}]}
 
 

@@ -102,8 +102,8 @@ TEST_CASE("every text about a rule is there in both languages, as one or two sen
       CHECK_THAT(std::string(text->english), EndsWith("."));
       CHECK_THAT(std::string(text->german), EndsWith("."));
       CHECK(text->english != text->german);
-      CHECK(sentences_of(text->english) <= 3);
-      CHECK(sentences_of(text->german) <= 3);
+      CHECK(sentences_of(text->english) <= 2);
+      CHECK(sentences_of(text->german) <= 2);
       CHECK(text->english.size() <= 300);
       CHECK(text->german.size() <= 300);
     }

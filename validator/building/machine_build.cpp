@@ -96,13 +96,15 @@ class AxisBuilder {
         leave_out_filter(filter.anchor(filter.enable), std::move(name));
       }
     }
-    add_interface_filter_time(result);
+    add_interface_filter_time(result, interface);
   }
 
-  void add_interface_filter_time(machine::AxisConfiguration& result) {
+  void add_interface_filter_time(machine::AxisConfiguration& result, EffectiveValue const& interface) {
     EffectiveValue const& time = values_.at(interface_filter_time_name);
     bool const is_off = !time.unusable && !(time.value.number > 0);
-    if (is_off || !has_interface(values_)) return;
+    if (is_off) return;
+    if (interface.unusable) return leave_out_filter(interface, "lr_param.add_interface");
+    if (!interface.value.flag()) return;
     auto const specification = interface_filter_time(values_, cycle_time_);
     if (specification && result.interface_filters.empty()) {
       result.interface_filters.push_back(

@@ -2,6 +2,7 @@
 // from the texts of its messages.
 #pragma once
 
+#include "validator/rules/control_numbers.hpp"
 #include "validator/rules/helpers.hpp"
 
 #include <algorithm>
@@ -112,24 +113,16 @@ inline void say_range_reaction(Finding& finding, std::span<RangeReaction const> 
   finding.control->message = found->message;
 }
 
-/// The numbers of all messages of a table, "110276/110405", for a rule's column `control`.
 template <auto const& table>
-inline constexpr auto messages_text = [] {
-  constexpr std::size_t size = [] {
-    std::size_t sum = 0;
-    for (RangeReaction const& reaction : table) sum += reaction.message.size() + 1;
-    return sum - 1;
-  }();
-  std::array<char, size> text{};
-  std::size_t at = 0;
-  for (RangeReaction const& reaction : table) {
-    if (at > 0) text[at++] = '/';
-    for (char const digit : reaction.message) text[at++] = digit;
-  }
-  return text;
+inline constexpr auto message_list = [] {
+  std::array<std::string_view, table.size()> messages;
+  std::transform(table.begin(), table.end(), messages.begin(),
+                 [](RangeReaction const& reaction) { return reaction.message; });
+  return messages;
 }();
 
+/// The numbers of all messages of a table, "110276/110405", for a rule's column `control`.
 template <auto const& table>
-inline constexpr std::string_view messages_of{messages_text<table>.data(), messages_text<table>.size()};
+inline constexpr std::string_view messages_of = checks::control_text<message_list<table>>;
 
 }  // namespace axisc::validator

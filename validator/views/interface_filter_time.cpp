@@ -4,11 +4,6 @@
 
 namespace axisc::validator {
 
-bool has_interface(EffectiveValues const& values) {
-  EffectiveValue const& enable = values.at("lr_param.add_interface.enable");
-  return !enable.unusable && enable.value.flag();
-}
-
 std::optional<design::FilterSpecification> interface_filter_time(EffectiveValues const& values,
                                                                  design::CycleTime cycle_time) {
   EffectiveValue const& time = values.at(interface_filter_time_name);

@@ -11,9 +11,6 @@ namespace axisc::validator {
 
 inline constexpr std::string_view interface_filter_time_name = "kenngr.in_add_interface_filter_time";
 
-/// The additional interface is not switched off (P-AXIS-00732).
-[[nodiscard]] bool has_interface(EffectiveValues const& values);
-
 /// P-AXIS-00438 as the PT2 that it is; none where it is 0, unusable, or shorter than a cycle.
 [[nodiscard]] std::optional<design::FilterSpecification> interface_filter_time(EffectiveValues const& values,
                                                                                design::CycleTime cycle_time);

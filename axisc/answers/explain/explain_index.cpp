@@ -3,6 +3,7 @@
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/explain/explain_parts.hpp"
 #include "axisc/answers/labels.hpp"
+#include "axisc/asked/quantities.hpp"
 #include "diagnostics/finding.hpp"
 #include "diagnostics/joined.hpp"
 #include "validator/engine/rule_facts.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -141,24 +141,12 @@ Section by_parameter(schema::Catalogue const& of_axes) {
               Audience::people);
 }
 
-/// 50663 and 60311 of "50663/60311".
-std::vector<std::uint32_t> numbers_of(std::string_view control) {
-  std::vector<std::uint32_t> numbers;
-  while (!control.empty()) {
-    auto const end = std::min(control.find('/'), control.size());
-    std::uint32_t number = 0;
-    if (std::from_chars(control.data(), control.data() + end, number).ec == std::errc{}) {
-      numbers.push_back(number);
-    }
-    control.remove_prefix(std::min(end + 1, control.size()));
-  }
-  return numbers;
-}
-
 Section by_message() {
-  std::map<std::uint32_t, std::vector<validator::Rule const*>> rules_of;
+  std::map<std::uint64_t, std::vector<validator::Rule const*>> rules_of;
   for (auto const& rule : validator::rules()) {
-    for (auto const number : numbers_of(rule.control)) rules_of[number].push_back(&rule);
+    for (auto const& text : split_list(rule.control, '/')) {
+      if (auto const number = parse_count(text)) rules_of[*number].push_back(&rule);
+    }
   }
   auto table = for_people();
   for (auto const& [number, rules] : rules_of) {

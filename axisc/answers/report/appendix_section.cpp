@@ -2,10 +2,11 @@
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/labels.hpp"
 #include "axisc/answers/report/report_page.hpp"
-#include "axisc/asked/filter_symbols.hpp"
+#include "codegen/source_digest.hpp"
 #include "image/proved_bounds.hpp"
 #include "validator/engine/rule_title.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace axisc::says {
@@ -36,16 +37,18 @@ namespace {
 Section sources(image::ImageContents const& contents) {
   Table lists{.key = {}};
   for (auto const& [name, sha256] : contents.lists) {
-    add_row(lists, {shown(labels::list, name), shown(as_given("SHA-256"), hexadecimal(sha256))});
+    add_row(lists, {shown(labels::list, name), shown(as_given("SHA-256"), codegen::hexadecimal(sha256))});
   }
-  return part(says::sources_title, {Facts{{shown(labels::compiler, "axisc " + contents.compiler_version),
-                                           shown(says::fact_sources, hexadecimal(contents.source_digest))}},
-                                    std::move(lists)});
+  return part(says::sources_title,
+              {Facts{{shown(labels::compiler, "axisc " + contents.compiler_version),
+                      shown(says::fact_sources, codegen::hexadecimal(contents.source_digest))}},
+               std::move(lists)});
 }
 
 Section proved(PlotSubject const& plots) {
   Table table{.key = {}};
   constexpr int digits = 4;
+  constexpr double least_percent = 1e-3;  // less is rounding
   for (auto const axis : plots.axes) {
     auto const bounds = image::proved_bounds(plots.now.file.bytes.bytes(), static_cast<std::uint32_t>(axis));
     double const cycle_ms = plots.contents().cycle_time.seconds() * 1e3;
@@ -55,7 +58,8 @@ Section proved(PlotSubject const& plots) {
                            : Value(Words(says::not_proved));
     add_row(table, {shown(labels::axis, plots.name(axis)),
                     shown(says::amplified, upper_bound(bounds.gain_high, digits)),
-                    shown(says::overshoots, upper_bound(bounds.overshoot_high * 100, digits, Unit::percent)),
+                    shown(says::overshoots, upper_bound(std::max(bounds.overshoot_high * 100, least_percent),
+                                                        digits, Unit::percent)),
                     shown(says::at_rest, rest)});
   }
   return part(says::proved_title, {std::move(table)});

@@ -31,12 +31,12 @@ namespace {
 
 void interface_filter_time_fits(AxisContext const& axis, Report& report) {
   EffectiveValue const& time = axis.values.at(interface_filter_time_name);
-  if (time.unusable || !(time.value.number > 0) || !has_interface(axis.values)) return;
-  auto const filters = touched_filters(axis.values);
-  auto const other = std::find_if(filters.begin(), filters.end(), [](FilterView const& filter) {
+  if (time.unusable || !(time.value.number > 0) || !axis.values.at("lr_param.add_interface.enable").is_on())
+    return;
+  auto const other = std::find_if(axis.filters.begin(), axis.filters.end(), [](FilterView const& filter) {
     return filter.port == FilterPort::additional_interface && filter.active();
   });
-  if (other != filters.end()) {
+  if (other != axis.filters.end()) {
     Finding& finding =
         report.add(time, {says::twice, {{"time", parameter_name(time)}, {"filter", filter_name(*other)}}});
     if (auto const place = other->anchor(other->enable).value_place()) {
