@@ -161,7 +161,7 @@ void LookAhead::choose_velocities(bool ends) {
     while (pushed < elements_.size() && elements_[pushed].block < known) {
       velocities_.push(elements_[pushed++]);
     }
-    auto passed = velocities_.pass(ends);
+    auto passed = velocities_.pass(velocities_.size(), ends);
     complete(passed);
     bool const would_change = passed.waits_for_blocks && known > blocks_.size();
     if (would_change || i + 1 >= slowed_for_stop_) touched_ = std::min(touched_, pieces_.size());

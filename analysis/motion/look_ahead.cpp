@@ -53,7 +53,8 @@ void LookAhead::add(ProgrammedBlock const& block) {
     if (blocks_.size() >= full_) plan(false);
   } else {
     if (!constant_velocity_) velocities_.push(asked_.back());
-    if (blocks_.size() >= (constant_velocity_ ? shortest_window : window_)) pass_block(false);
+    std::size_t const held = window_ + VelocityWindow::further_windows;
+    if (blocks_.size() >= (constant_velocity_ ? shortest_window : held)) pass_block();
   }
   if (!block.exact_stop) return;
   stop();
@@ -70,7 +71,7 @@ void LookAhead::stop() {
   if (holds_blocks()) {
     if (!blocks_.empty()) plan(true);
   } else {
-    while (!blocks_.empty()) pass_block(true);
+    while (!blocks_.empty()) pass_block();
   }
   forget();
 }
@@ -92,7 +93,7 @@ void LookAhead::forget() {
 }
 
 /// Hands on the first block, which ends in the next one or where the path stops.
-void LookAhead::pass_block(bool ends) {
+void LookAhead::pass_block() {
   auto const& block = blocks_.front();
   PathBlock const* const next = blocks_.size() > 1 ? &blocks_[1] : nullptr;
   BlockMotion motion{block.velocity, block.velocity, block.velocity, block.velocity_cause};
@@ -100,7 +101,7 @@ void LookAhead::pass_block(bool ends) {
   if (constant_velocity_) {
     phases_.push_back(Phase::steady(block.velocity, block.length));
   } else {
-    auto passed = velocities_.pass(ends);
+    auto passed = velocities_.pass(std::min(window_, blocks_.size()), blocks_.size() < window_);
     complete(passed);
     append_profile(task_of(passed), passed.velocity_middle, phases_);
     motion = {passed.velocity_in, std::max(passed.velocity_in, passed.velocity_middle), passed.velocity_out,

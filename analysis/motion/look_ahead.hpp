@@ -74,7 +74,7 @@ class LookAhead {
 
   [[nodiscard]] double tolerated(Arc const& arc);
   [[nodiscard]] bool holds_blocks() const { return monitor_.active() || is_across_; }
-  void pass_block(bool ends);
+  void pass_block();
   void collect_corners();
   [[nodiscard]] Corner corner_between(PathBlock const* before, PathBlock const* after, bool is_sharp) const;
   template <class Take>

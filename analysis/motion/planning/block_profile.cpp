@@ -15,23 +15,25 @@ double way_through(BlockTask const& task, double v) {
   return (v >= in ? task.up->way(in, v) : task.down->way(v, in)) + task.down->way(task.velocity_out, v);
 }
 
-/// Between a velocity that fits and one that does not: Newton's method, or halving where it leaves them. A
-/// step that is this share of the change leaves its square as error.
+/// Between two velocities of which the higher one leads too far: Newton's method, or halving where it leaves
+/// them. A step that is this share of the change leaves its square as error.
 double highest_fitting(BlockTask const& task, double low, double high) {
   double const slowest = low;
   bool const rises = low >= task.velocity_in;
   double v = high;
   for (int i = 0; i < most_steps && high - low > same_velocity * high; ++i) {
-    double const over = way_through(task, v) - task.length;
-    (over <= 0 ? low : high) = v;
-    double next = (low + high) / 2;
+    double next = 0;
     if (rises) {
-      double const growth = task.up->growth(task.velocity_in, v) + task.down->growth(task.velocity_out, v);
-      double const newton = v - over / growth;
-      if (std::abs(newton - v) <= last_step * (v - slowest)) return std::clamp(newton, low, high);
-      if (newton > low && newton < high) next = newton;
+      auto const up = task.up->reach(task.velocity_in, v);
+      auto const down = task.down->reach(task.velocity_out, v);
+      double const over = up.way + down.way - task.length;
+      (over <= 0 ? low : high) = v;
+      next = v - over / (up.growth + down.growth);
+      if (std::abs(next - v) <= last_step * (v - slowest)) return std::clamp(next, low, high);
+    } else {
+      (way_through(task, v) <= task.length ? low : high) = v;
     }
-    v = next;
+    v = next > low && next < high ? next : (low + high) / 2;
   }
   return low;
 }

@@ -3,7 +3,9 @@
 #include "analysis/motion/planning/phase_cutter.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <list>
 #include <memory>
 #include <utility>
 
@@ -84,38 +86,32 @@ class Plan {
   }
 
   std::vector<StretchPart> run() {
+    append_between_places(0, elements_.size(), stretches_.end());
     do {
-      collect();
       choose();
     } while (split());
     parts_.resize(elements_.size());
-    for (std::size_t i = 0; i < stretches_.size(); ++i) share_out(stretches_[i], passed_of(i));
+    for (auto at = stretches_.begin(); at != stretches_.end(); ++at) share_out(*at, passed_of(at));
     return std::move(parts_);
   }
 
  private:
-  /// Stretches that did not change stay.
-  void collect() {
-    std::vector<Stretch> found;
-    found.reserve(stretches_.size() + 1);
-    std::size_t known = 0;
-    for (std::size_t first = 0; first < elements_.size();) {
-      std::size_t end = first + 1;
-      while (places_[end] == 0) ++end;
-      while (known < stretches_.size() && stretches_[known].first < first) ++known;
-      bool const is_known =
-          known < stretches_.size() && stretches_[known].first == first && stretches_[known].end == end;
-      found.push_back(is_known ? std::move(stretches_[known++]) : stretch_of(elements_, first, end));
-      first = end;
+  using Stretches = std::list<Stretch>;
+
+  void append_between_places(std::size_t first, std::size_t end, Stretches::const_iterator before) {
+    while (first < end) {
+      std::size_t next = first + 1;
+      while (places_[next] == 0) ++next;
+      stretches_.insert(before, stretch_of(elements_, first, next));
+      first = next;
     }
-    stretches_ = std::move(found);
   }
 
   /// As velocity_window.hpp says, computed only where something changed.
   void choose() {
     double next = 0;
-    for (std::size_t i = stretches_.size(); i-- > 0;) {
-      auto& stretch = stretches_[i];
+    for (auto at = stretches_.rbegin(); at != stretches_.rend(); ++at) {
+      auto& stretch = *at;
       auto& whole = stretch.whole;
       if (std::exchange(stretch.next_allowed, next) != next) {
         double braking = whole.down->fastest(next, whole.length);
@@ -125,9 +121,10 @@ class Plan {
       next = whole.allowed;
     }
     double velocity = velocity_;
-    for (std::size_t i = 0; i < stretches_.size(); ++i) {
-      auto& stretch = stretches_[i];
-      double const wanted = i + 1 < stretches_.size() ? stretches_[i + 1].whole.allowed : 0;
+    for (auto at = stretches_.begin(); at != stretches_.end(); ++at) {
+      auto& stretch = *at;
+      auto const after = std::next(at);
+      double const wanted = after != stretches_.end() ? after->whole.allowed : 0;
       if (stretch.velocity_in != velocity || stretch.wanted != wanted) {
         stretch.velocity_in = velocity;
         stretch.wanted = wanted;
@@ -137,26 +134,30 @@ class Plan {
     }
   }
 
-  /// False where nothing exceeds its limits.
+  /// False where nothing exceeds its limits. Stretches that did not change stay.
   bool split() {
     bool splits = false;
-    for (auto& stretch : stretches_) {
+    for (auto at = stretches_.begin(); at != stretches_.end();) {
+      auto& stretch = *at;
       bool const is_known =
           stretch.kept_in == stretch.velocity_in && stretch.kept_out == stretch.exit.velocity;
-      if (stretch.is_single() || is_known) continue;
-      if (split(stretch)) {
-        splits = true;
-      } else {
+      if (stretch.is_single() || is_known || !finds_places(stretch)) {
         stretch.kept_in = stretch.velocity_in;
         stretch.kept_out = stretch.exit.velocity;
+        ++at;
+        continue;
       }
+      splits = true;
+      append_between_places(stretch.first, stretch.end, at);
+      at = stretches_.erase(at);
     }
     return splits;
   }
 
-  [[nodiscard]] PassedElement passed_of(std::size_t at) const {
-    auto const& stretch = stretches_[at];
-    auto const* const next = at + 1 < stretches_.size() ? &stretches_[at + 1].whole : nullptr;
+  [[nodiscard]] PassedElement passed_of(Stretches::const_iterator at) const {
+    auto const& stretch = *at;
+    auto const after = std::next(at);
+    auto const* const next = after != stretches_.end() ? &after->whole : nullptr;
     double const out = stretch.exit.velocity;
     return {.element = stretch.whole,
             .velocity_in = stretch.velocity_in,
@@ -167,7 +168,7 @@ class Plan {
             .is_possible = stretch.exit.is_possible};
   }
 
-  bool split(Stretch const& stretch) {
+  bool finds_places(Stretch const& stretch) {
     if (!stretch.exit.is_possible) {
       std::fill(places_.begin() + static_cast<std::ptrdiff_t>(stretch.first),
                 places_.begin() + static_cast<std::ptrdiff_t>(stretch.end), char{1});
@@ -179,14 +180,21 @@ class Plan {
     passed.velocity_out = stretch.exit.velocity;
     find_profile(passed);
     exceeded_.clear();
+    lowest_exceeded_ = std::max(passed.velocity_in, passed.velocity_middle);
     PhaseCutter cutter(phases_);
-    double velocity = passed.velocity_in;
+    double skipped = 0;
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       auto const& element = elements_[i];
-      if (i > stretch.first) exceed(velocity, element.entry, i, i);
-      cutter.advance(length_until_cut(stretch, i));
-      exceed(cutter.highest(), element.velocity, i, i + 1);
-      velocity = cutter.velocity();
+      bool const counts_before = i > stretch.first && may_count(element.entry);
+      bool const counts_within = may_count(element.velocity);
+      if ((counts_before || counts_within) && skipped > 0) cutter.advance(std::exchange(skipped, 0));
+      if (counts_before) exceed(cutter.velocity(), element.entry, i, i);
+      if (counts_within) {
+        cutter.advance(length_until_cut(stretch, i));
+        exceed(cutter.highest(), element.velocity, i, i + 1);
+      } else {
+        skipped += element.length;
+      }
     }
     return split_at_lowest();
   }
@@ -197,16 +205,19 @@ class Plan {
     append_profile(task_of(passed), passed.velocity_middle, phases_);
   }
 
+  /// Only the lowest limits become places: a higher one than that of which it is known need not be looked at.
+  [[nodiscard]] bool may_count(double limit) const { return limit <= lowest_exceeded_ * (1 + same_velocity); }
+
   void exceed(double velocity, double limit, std::size_t from, std::size_t to) {
-    if (velocity > limit * (1 + same_velocity)) exceeded_.push_back({limit, from, to});
+    if (!(velocity > limit * (1 + same_velocity))) return;
+    exceeded_.push_back({limit, from, to});
+    lowest_exceeded_ = std::min(lowest_exceeded_, limit);
   }
 
   bool split_at_lowest() {
-    double lowest = unlimited;
-    for (auto const& one : exceeded_) lowest = std::min(lowest, one.limit);
     bool splits = false;
     for (auto const& one : exceeded_) {
-      if (one.limit > lowest * (1 + same_velocity)) continue;
+      if (!may_count(one.limit)) continue;
       splits = splits || places_[one.from] == 0 || places_[one.to] == 0;
       places_[one.from] = places_[one.to] = 1;
     }
@@ -264,8 +275,9 @@ class Plan {
   double velocity_;
   bool ends_;
   std::vector<char> places_;  ///< before each element, and at the end
-  std::vector<Stretch> stretches_;
+  Stretches stretches_;
   std::vector<Exceeded> exceeded_;
+  double lowest_exceeded_ = 0;  ///< at first the highest velocity of the motion
   std::vector<Phase> phases_;
   std::vector<StretchPart> parts_;
 };

@@ -115,6 +115,17 @@ double Ramp::way(double slow, double fast) const {
   return way;
 }
 
+Ramp::Reach Ramp::reach(double slow, double fast) const {
+  double const change = fast - slow;
+  if (!closed_ || !(change > 0) || change >= half_change_) {
+    return {.way = way(slow, fast), .growth = growth(slow, fast)};
+  }
+  double const q = std::sqrt(change / half_change_);
+  double const linear = slow * change_time_;
+  double const square = cubic_ * q * q;
+  return {.way = q * (linear + square), .growth = q * (linear + 3 * square) / (2 * change)};
+}
+
 double Ramp::growth(double slow, double fast) const {
   if (is_step()) {
     std::size_t i = count_ - 1;

@@ -54,8 +54,11 @@ class Ramp {
   /// Cycles, and position units, from `slow` to `fast` or back.
   [[nodiscard]] double duration(double slow, double fast) const;
   [[nodiscard]] double way(double slow, double fast) const;
-  /// How fast the way grows with the fast end.
-  [[nodiscard]] double growth(double slow, double fast) const;
+  struct Reach {
+    double way = 0;
+    double growth = 0;  ///< how fast the way grows with the fast end
+  };
+  [[nodiscard]] Reach reach(double slow, double fast) const;
   /// The highest fast end within a way. Cost: closed forms, or some steps of Newton's method.
   [[nodiscard]] double fastest(double slow, double length) const;
   /// The same for a slow end that has only grown since the last call: `share`, at first 1, is the q that was
@@ -73,6 +76,7 @@ class Ramp {
   [[nodiscard]] RampRules const& rules() const { return rules_; }
 
  private:
+  [[nodiscard]] double growth(double slow, double fast) const;
   /// What the acceleration does: p, then the times.
   struct Course {
     double peak = 0, slow_end = 0, held = 0, fast_end = 0;

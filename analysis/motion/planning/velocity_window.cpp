@@ -1,6 +1,7 @@
 #include "analysis/motion/planning/velocity_window.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace axisc::motion {
 namespace {
@@ -64,23 +65,22 @@ void VelocityWindow::begin(double velocity, bool moves) {
 
 void VelocityWindow::push(PathElement const& element) {
   elements_.push_back(element);
-  if (!primed_) return;
   auto& last = elements_.back();
   double const braking = last.down->fastest(0, last.length);
   last.allowed = std::min(last.entry, braking);
   last.waits_for_blocks = braking < last.entry;
 }
 
-/// All of the first window.
-void VelocityWindow::prime() {
+/// All of the first window. Where the path moves, each element was the last of a window before.
+void VelocityWindow::prime(std::size_t end) {
   primed_ = true;
-  pending_ = elements_.size();
+  pending_ = end;
   double next = 0;
   bool waits = true;
-  for (std::size_t i = elements_.size(); i-- > first_;) {
+  for (std::size_t i = end; i-- > first_;) {
     auto& element = elements_[i];
     double braking = highest_before(element, next);
-    if (moves_) braking = std::max(braking, element.down->fastest(0, element.length));
+    if (moves_) braking = std::max(braking, element.allowed);
     element.waits_for_blocks = waits && braking < element.entry;
     element.allowed = std::min(element.entry, braking);
     next = element.allowed;
@@ -88,24 +88,39 @@ void VelocityWindow::prime() {
   }
 }
 
-/// Backwards from the last element, as far as it changes something.
-void VelocityWindow::raise() {
-  for (std::size_t i = elements_.size() - 1; i-- > first_ + 1;) {
-    auto& element = elements_[i];
-    auto const& next = elements_[i + 1];
-    bool changes = false;
-    if (element.allowed < element.entry) {
-      double const braking = highest_before(element, next.allowed);
-      double const found = std::min(element.entry, braking);
-      changes = found > element.allowed;
-      if (changes) {
-        element.allowed = found;
-        element.waits_for_blocks = next.waits_for_blocks && braking < element.entry;
-      }
+/// V of one element from that of the next one. False where it stays.
+bool VelocityWindow::raise_before(std::size_t next_at) {
+  auto& element = elements_[next_at - 1];
+  auto const& next = elements_[next_at];
+  if (!(element.allowed < element.entry)) return false;
+  double const braking = highest_before(element, next.allowed);
+  double const found = std::min(element.entry, braking);
+  if (!(found > element.allowed)) return false;
+  element.allowed = found;
+  element.waits_for_blocks = next.waits_for_blocks && braking < element.entry;
+  return true;
+}
+
+/// Backwards from the last known element, as far as it changes something.
+///
+/// One V needs the other, and the processor waits for each. So where every pass comes here, the windows of the
+/// next passes are followed backwards at the same time, each one element behind the one before it.
+void VelocityWindow::raise(std::size_t end) {
+  bool const is_usual = pending_ + 1 == end;
+  std::size_t const windows = is_usual ? std::min(further_windows, elements_.size() - end) + 1 : 1;
+  std::array<bool, further_windows + 1> ended{};
+  std::size_t left = windows;
+  // Window k lacks the first k elements, which are passed by then.
+  for (std::size_t next_at = end - 1; next_at > first_ + 1 && left > 0; --next_at) {
+    for (std::size_t k = 0; k < windows; ++k) {
+      if (ended[k]) continue;
+      bool const is_new = k == 0 && next_at - 1 >= pending_;
+      if (raise_before(next_at + k) || is_new) continue;
+      ended[k] = true;
+      --left;
     }
-    if (!changes && i < pending_) break;
   }
-  pending_ = elements_.size();
+  pending_ = end + windows - 1;
 }
 
 /// Elements are moved only now and then.
@@ -117,15 +132,16 @@ void VelocityWindow::forget_passed() {
   first_ = 0;
 }
 
-PassedElement VelocityWindow::pass(bool ends) {
-  if (!primed_) prime();
+PassedElement VelocityWindow::pass(std::size_t known, bool ends) {
+  std::size_t const end = first_ + known;
+  if (!primed_) prime(end);
   PassedElement passed{.element = elements_[first_], .velocity_in = velocity_};
   auto const& element = passed.element;
-  bool const is_last = size() == 1;
+  bool const is_last = known == 1;
   PathElement const* const next = is_last ? nullptr : &elements_[first_ + 1];
   // An earlier window may allow more than this element reaches.
-  bool const is_pending = !is_last && pending_ < elements_.size() && next->allowed < next->entry;
-  if (is_pending && next->allowed < element.up->fastest(velocity_, element.length)) raise();
+  bool const is_pending = !is_last && pending_ < end && next->allowed < next->entry;
+  if (is_pending && next->allowed < element.up->fastest(velocity_, element.length)) raise(end);
   auto const exit = exit_of(element, velocity_, is_last ? 0 : next->allowed);
   passed.velocity_out = exit.velocity;
   passed.is_possible = exit.is_possible;

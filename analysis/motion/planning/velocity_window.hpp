@@ -11,10 +11,11 @@
 // then out of reach, the block ends with the highest velocity on the rising branch, which a shorter window
 // was content with.
 //
-// Two things keep this cheap. V_k is at least what an earlier window allowed, so that nothing is computed as
+// Three things keep this cheap. V_k is at least what an earlier window allowed, so that nothing is computed as
 // long as that is more than the path can reach; and the way backwards ends where it changes nothing. What
 // windows in between would have allowed makes no difference: because of the hump, if s(v0, v1) ≤ L for any v1
-// up to V_{k+1}, it is for V_{k+1} or for 0, with which the block was the last of a window once.
+// up to V_{k+1}, it is for V_{k+1} or for 0, with which the block was the last of a window once. And several
+// windows are followed backwards at the same time.
 #pragma once
 
 #include "analysis/motion/limited_by.hpp"
@@ -59,12 +60,16 @@ class VelocityWindow {
   void begin(double velocity, bool moves);
   void push(PathElement const& element);
   [[nodiscard]] std::size_t size() const { return elements_.size() - first_; }
-  /// Passes the first element. `ends`: the path stops after the last one.
-  [[nodiscard]] PassedElement pass(bool ends);
+  /// Passes the first of `known` elements; `ends`: the path stops after the last one. Where up to
+  /// `further_windows` more are there already, the control learns of one of them with each pass.
+  [[nodiscard]] PassedElement pass(std::size_t known, bool ends);
+
+  static constexpr std::size_t further_windows = 3;
 
  private:
-  void prime();
-  void raise();
+  void prime(std::size_t end);
+  [[nodiscard]] bool raise_before(std::size_t next_at);
+  void raise(std::size_t end);
   void forget_passed();
 
   std::vector<PathElement> elements_;
