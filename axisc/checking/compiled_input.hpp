@@ -13,6 +13,9 @@ namespace axisc {
 /// None for lists and folders. Failure for a damaged one. Unsaved bytes count; "-" is standard input.
 [[nodiscard]] std::optional<ImageFile> image_in(Workspace& workspace, std::string const& path);
 
+/// The same as the whole input. Failure where the options name another NC cycle time than the image has.
+[[nodiscard]] std::optional<ImageFile> image_alone(Workspace& workspace, std::string const& path);
+
 struct InputImage {
   ImageFile image;
   std::optional<CheckedMachine> machine;  ///< from which it was compiled; an image is read as it is

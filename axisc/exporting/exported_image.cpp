@@ -8,7 +8,7 @@ namespace axisc {
 
 std::optional<ExportedImage> exported_image(Workspace& workspace, MachineRequest const& request,
                                             ErrorSink const& errors) {
-  if (auto image = image_in(workspace, request.input)) {
+  if (auto image = image_alone(workspace, request.input)) {
     return ExportedImage{.file = std::move(*image), .sources = {request.input}};
   }
   auto const checked = checked_machine(workspace, request, errors);

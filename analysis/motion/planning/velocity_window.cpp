@@ -103,8 +103,8 @@ bool VelocityWindow::raise_before(std::size_t next_at) {
 
 /// Backwards from the last known element, as far as it changes something.
 ///
-/// One V needs the other, and the processor waits for each. So where every pass comes here, the windows of the
-/// next passes are followed backwards at the same time, each one element behind the one before it.
+/// One V needs the other, and the processor waits for each. So where every pass comes here, the windows of
+/// the next passes are followed backwards at the same time, each one element behind the one before it.
 void VelocityWindow::raise(std::size_t end) {
   bool const is_usual = pending_ + 1 == end;
   std::size_t const windows = is_usual ? std::min(further_windows, elements_.size() - end) + 1 : 1;

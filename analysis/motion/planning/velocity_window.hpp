@@ -11,11 +11,11 @@
 // then out of reach, the block ends with the highest velocity on the rising branch, which a shorter window
 // was content with.
 //
-// Three things keep this cheap. V_k is at least what an earlier window allowed, so that nothing is computed as
-// long as that is more than the path can reach; and the way backwards ends where it changes nothing. What
-// windows in between would have allowed makes no difference: because of the hump, if s(v0, v1) ≤ L for any v1
-// up to V_{k+1}, it is for V_{k+1} or for 0, with which the block was the last of a window once. And several
-// windows are followed backwards at the same time.
+// Three things keep this cheap. V_k is at least what an earlier window allowed, so that nothing is computed
+// as long as that is more than the path can reach; the way backwards ends where it changes nothing; and
+// several windows are followed backwards at the same time. What windows in between would have allowed makes
+// no difference: because of the hump, if s(v0, v1) ≤ L for any v1 up to V_{k+1}, it is for V_{k+1} or for 0,
+// with which the block was the last of a window once.
 #pragma once
 
 #include "analysis/motion/limited_by.hpp"

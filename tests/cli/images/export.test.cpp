@@ -137,6 +137,27 @@ TEST_CASE("export says what is missing or wrong and writes nothing then") {
   CHECK_FALSE(fs::exists(folder / "c"));
 }
 
+TEST_CASE("an image has its own cycle time: another one is refused, the same one is not") {
+  TemporaryFolder const folder;
+  auto const image = folder / "mill.axim";
+  REQUIRE(run_axisc({"compile", mill, "-o", image, "--quiet"}).status == 0);
+  CHECK(run_axisc({"export", image, "--to", "c", "--cycle-time", "1ms", "-o", folder / "same"}).status == 0);
+  for (std::vector<std::string> const& command :
+       std::vector<std::vector<std::string>>{{"export", image, "--to", "c", "-o", folder / "other"},
+                                             {"response", image},
+                                             {"plot", image, "-o", folder / "other.svg"}}) {
+    auto arguments = command;
+    arguments.insert(arguments.end(), {"--cycle-time", "2ms"});
+    auto const outcome = run_axisc(arguments);
+    INFO(command.front());
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains("was compiled for an NC cycle time of 1000 µs, not 2000 µs"));
+    CHECK(outcome.out.empty());
+  }
+  CHECK_FALSE(fs::exists(folder / "other"));
+  CHECK_FALSE(fs::exists(folder / "other.svg"));
+}
+
 TEST_CASE("an FMU is the same bytes each time, and its libraries too") {
   TemporaryFolder const folder;
   REQUIRE(run_axisc({"compile", mill, "-o", folder / "mill.axim", "--quiet"}).status == 0);

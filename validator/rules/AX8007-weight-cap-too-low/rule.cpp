@@ -19,7 +19,6 @@ constexpr Sentence acceleration_default{
     "keine Liste setzt `{acceleration}`: es gilt der Standardwert {value}"};
 constexpr Sentence undocumented{
     "what the control does in that case is not documented; axisc plans with the feed acceleration, and "
-    ""
     "weights above 100 % have no effect",
     "was die Steuerung dann tut, ist nicht dokumentiert; axisc plant mit der Vorschubbeschleunigung, und ein "
     "Gewicht über 100 % bewirkt nichts"};
