@@ -57,7 +57,7 @@ axisc_compiled_library(PkgConfig::pugixml axisc_pugixml "${AXISC_LIBRARY_SOURCES
   "${AXISC_LIBRARY_SOURCES}/pugixml/src/pugixml.cpp")
 
 set(zlib_sources adler32 crc32 deflate trees zutil)
-list(TRANSFORM zlib_sources REPLACE "^(.*)$" "${AXISC_LIBRARY_SOURCES}/zlib/\\1.c")
+list(TRANSFORM zlib_sources REPLACE "^(.+)$" "${AXISC_LIBRARY_SOURCES}/zlib/\\1.c")
 axisc_compiled_library(ZLIB::ZLIB axisc_zlib "${AXISC_LIBRARY_SOURCES}/zlib" ${zlib_sources})
 
 set(sodium "${AXISC_LIBRARY_SOURCES}/libsodium/src/libsodium")
