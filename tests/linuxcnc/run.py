@@ -104,6 +104,20 @@ def circle():
     measured = 1000 * (10 - sum(math.hypot(row[2], row[3]) for row in middle) / max(len(middle), 1))
     wanted = predicted(3000)["circle"]["contour_deviation_um"]
     check(abs(measured / wanted - 1) < 0.02, f"circle of 10 mm at 3000 mm/min, {len(middle)} cycles: {measured:.3f} µm inside, predicted {wanted:.3f} µm")
+    tested_circle(rows, wanted)
+
+
+def tested_circle(rows, wanted):
+    """The circular test of the sampled positions: to the six decimals of a millimetre that samples have."""
+    recording = os.path.join(FOLDER, "circle.csv")
+    with open(recording, "w") as file:
+        file.write("time [ms];X setpoint;Y setpoint;X actual;Y actual\n")
+        file.writelines(";".join([str(n), *(f"{value:.6f}" for value in row[:4])]) + "\n" for n, row in enumerate(rows))
+    answer = json.loads(axisc("circle", EXAMPLE + "/machine.json", recording, "--format", "json"))
+    figures = answer["circles"][0]["recording"]
+    radial = figures["radial_deviation_um"]
+    text = f"{figures['points_per_turn']} points, F {radial['min']:.3f} to {radial['max']:.3f} µm, contour {-wanted:.3f} µm"
+    check(max(abs(radial["max"] + wanted), abs(radial["min"] + wanted)) < 0.01, "circular test: " + text)
 
 
 def corner():
