@@ -101,11 +101,12 @@ int axisc_fix(axisc_workspace* workspace, char const* path, int fixes, axisc_byt
 int axisc_compile(axisc_workspace* workspace, char const* path, char const* options, axisc_bytes* image,
                   axisc_bytes* findings);
 
-/* A JSON object of texts: "question" names one of those below, "input" the file or folder it is about; lists
- * are judged in their machine.
+/* A JSON object of texts, or of arrays of texts where there may be several: "question" names one of those
+ * below, "input" the file or folder it is about; lists are judged in their machine.
  *   machines      the machines in a folder, or that of a file: what describes it, and what says its NC cycle
  *                 time                                       "format"
- *   machine       what it consists of                        "format"
+ *   machine       what it consists of; JSON is a machine file, but for a project, whose lists are not files
+ *                                                            "format"
  *   get           values in force: "words" are an axis and parameters, blanks between them; "format"
  *   filters       those of each axis in words, and their delay   "format"
  *   contour       what its filters do to a path              "format"
@@ -114,7 +115,10 @@ int axisc_compile(axisc_workspace* workspace, char const* path, char const* opti
  *   inspect       what is in an image                        "axis", "format"
  *   response      "axis", "port" (setpoint, interface, velocity), "frequencies" ("10,20"); "format"
  *   compare       what a scope recorded beside what is computed: "recording", "axis", "in", "out" (columns);
- *                 "format"
+ *                 "unit", "numbers", "format"
+ *   circle        the circular test: "feed" in mm/min and "radius" in mm, or "recording", of both directions
+ *                 or one of each; "plane", "tolerance" in um; "setpoint", "actual" ("X=COLUMN" each),
+ *                 "external" ("yes"), "unit", "numbers"; "format", which may be svg
  *   picture       "kind" as `axisc plot` has them, "axis", "group", "before", "program", "plant", "move",
  *                 "recording", "in", "out"; an SVG
  *   report        the acceptance report                      "before", "title", "customer", "author", "date";
@@ -122,8 +126,9 @@ int axisc_compile(axisc_workspace* workspace, char const* path, char const* opti
  *   fmu           an FMU of its filters, without libraries: the bytes of the file
  *                 "version" (3, the default, or 2, of the FMI), "name"
  *   explain       "word": a code, a parameter, a message     "format"
- * "format" is text (default), json, csv, markdown or html. The files of "program", "plant" and "recording"
- * are read from the disk. */
+ * "format" is text (default), json, csv, markdown or html. "unit" of recorded positions is 0.1um, um, mm or
+ * incr, "numbers" scaled or raw, of columns with a scale: without them both are recognised. The files of
+ * "program", "plant" and "recording" are read from the disk. */
 int axisc_answer(axisc_workspace* workspace, char const* question, axisc_bytes* answer);
 
 /* Language server protocol: a JSON array of messages that arrived together, as texts; becomes the array of

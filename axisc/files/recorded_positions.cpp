@@ -17,10 +17,25 @@ constexpr Sentence no_axis_column{
     "vor den Filtern mit --in ACHSE=SPALTE nennen, einmal je aufgezeichnete Achse"};
 constexpr Sentence foreign_axis{"--in {axis}={column}: the channel has the axes {axes}",
                                 "--in {axis}={column}: der Kanal hat die Achsen {axes}"};
+constexpr Sentence column_of_axis{
+    "{option} {text}: name the column of an axis, {option} X=COLUMN, once for each",
+    "{option} {text}: die Spalte einer Achse nennen, {option} X=SPALTE, einmal je Achse"};
 
 }  // namespace axisc::says
 
 namespace axisc {
+
+std::vector<AxisColumn> axis_columns(std::string const& option, std::vector<std::string> const& texts) {
+  std::vector<AxisColumn> columns;
+  for (auto const& text : texts) {
+    auto const sign = text.find('=');
+    if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
+      throw Failure({says::column_of_axis, {{"option", option}, {"text", text}}});
+    }
+    columns.push_back({.axis = text.substr(0, sign), .column = text.substr(sign + 1)});
+  }
+  return columns;
+}
 
 std::optional<ChosenColumn> column_called(RecordingFile const& file, std::string_view name) {
   auto const& channels = file.recording.channels;

@@ -18,6 +18,10 @@ struct AxisColumn {
   std::string axis, column;
 };
 
+/// "X=COLUMN" each. Failure for other texts, which names `option`.
+[[nodiscard]] std::vector<AxisColumn> axis_columns(std::string const& option,
+                                                   std::vector<std::string> const& texts);
+
 /// The first column of that name, in small letters or capitals, a unit behind it or not.
 [[nodiscard]] std::optional<ChosenColumn> column_called(RecordingFile const& file, std::string_view name);
 

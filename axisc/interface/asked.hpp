@@ -1,4 +1,4 @@
-// JSON objects whose values are texts: options and questions.
+// JSON objects whose values are texts, or arrays of them: options and questions.
 #pragma once
 
 #include "axisc/environment/failure.hpp"
@@ -25,8 +25,11 @@ class Asked {
   explicit Asked(char const* json) : Asked(json, {}) {}
   Asked(char const* json, std::optional<std::string_view> keys);
 
+  /// BadArgument where there are several.
   [[nodiscard]] std::optional<std::string> find(std::string const& key) const;
   [[nodiscard]] std::string text(std::string const& key) const { return find(key).value_or(""); }
+  /// All that the key has.
+  [[nodiscard]] std::vector<std::string> texts(std::string const& key) const;
 
   /// The value of the row with the key's word; the first row's where there is no such key.
   template <typename Rows>
@@ -46,7 +49,7 @@ class Asked {
                                                 std::string const& known);
 
  private:
-  std::map<std::string, std::string> values_;
+  std::map<std::string, std::vector<std::string>> values_;
 };
 
 /// A JSON array of texts.

@@ -1,10 +1,8 @@
 #include "axisc/interface/questions.hpp"
 
-#include "axisc/answers/comparison/compare_answer.hpp"
 #include "axisc/answers/contour/contour_answer.hpp"
 #include "axisc/answers/contour/delay_budget_answer.hpp"
 #include "axisc/answers/difference/difference_answer.hpp"
-#include "axisc/answers/execution/recorded_input.hpp"
 #include "axisc/answers/execution/response_answer.hpp"
 #include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/figures/picture_answer.hpp"
@@ -20,6 +18,7 @@
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/exporting/exported_fmu.hpp"
 #include "axisc/files/disk_files.hpp"
+#include "axisc/interface/recorded_questions.hpp"
 #include "presentation/pictures/svg.hpp"
 #include "presentation/writers.hpp"
 
@@ -142,19 +141,6 @@ Answer picture(Workspace& workspace, Asked const& asked, ErrorSink const& errors
   return figure ? Answer(pictures::svg(*figure, errors.language)) : std::nullopt;
 }
 
-Answer compare(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
-  RecordedQuestion const question{.input = asked.text("input"),
-                                  .recording = asked.text("recording"),
-                                  .axis = asked.find("axis"),
-                                  .commands = {},
-                                  .columns = {.input = asked.find("in"), .output = asked.find("out")},
-                                  .language = errors.language};
-  auto const input = compiled_input(workspace, {.input = question.input}, errors);
-  if (!input) return std::nullopt;
-  auto const [axis, recorded] = recorded_input(question, *input);
-  return written(compare_answer(axis_label(input->image.contents, axis), recorded), asked, errors.language);
-}
-
 Answer report(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
   std::vector<Message> notes;
   auto report = report_answer(workspace,
@@ -206,7 +192,11 @@ constexpr std::array questions = {
     Question{.name = "picture",
              .keys = "input kind axis group before program plant move recording in out",
              .answer = picture},
-    Question{.name = "compare", .keys = "input recording axis in out format", .answer = compare},
+    Question{.name = "compare", .keys = "input recording axis in out unit numbers format", .answer = compare},
+    Question{
+        .name = "circle",
+        .keys = "input feed radius plane tolerance recording external setpoint actual unit numbers format",
+        .answer = circle},
     Question{.name = "report", .keys = "input before title customer author date", .answer = report},
     Question{.name = "fmu", .keys = "input version name", .answer = fmu},
     Question{.name = "explain", .keys = "word format", .answer = explain}};

@@ -3,6 +3,7 @@
 #include "axisc/asked/quantities.hpp"
 #include "axisc/checking/checking_options.hpp"
 #include "axisc/files/protected_files.hpp"
+#include "axisc/files/recorded_positions.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/options/check_options.hpp"

@@ -1,6 +1,7 @@
 #include "axisc/answers/comparison/motion_answer.hpp"
 #include "axisc/answers/comparison/telling_text.hpp"
 #include "axisc/checking/path_machine.hpp"
+#include "axisc/files/recorded_positions.hpp"
 #include "cli/commands/compare_options.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/output/answer_output.hpp"

@@ -15,9 +15,6 @@ constexpr Sentence option_scaled{
     "die Zahlen von Spalten mit einer Skalierung sind skaliert, wie das Scope sie zeigt"};
 constexpr Sentence option_raw{"they are raw, as the control has them",
                               "sie sind roh, wie die Steuerung sie hat"};
-constexpr Sentence column_of_axis{
-    "{option} {text}: name the column of an axis, {option} X=COLUMN, once for each",
-    "{option} {text}: die Spalte einer Achse nennen, {option} X=SPALTE, einmal je Achse"};
 constexpr Sentence scaled_and_raw{"name either --scaled or --raw", "entweder --scaled oder --raw angeben"};
 
 }  // namespace axisc::cli::says
@@ -25,12 +22,7 @@ constexpr Sentence scaled_and_raw{"name either --scaled or --raw", "entweder --s
 namespace axisc::cli {
 
 void declare_recorded_numbers(CommandLine& command_line, RecordedNumbers& numbers) {
-  command_line.choice("--unit",
-                      {{"0.1um", RecordedUnit::tenths},
-                       {"um", RecordedUnit::um},
-                       {"mm", RecordedUnit::mm},
-                       {"incr", RecordedUnit::increments}},
-                      numbers.unit, says::option_recorded_unit);
+  command_line.choice("--unit", recorded_units, numbers.unit, says::option_recorded_unit);
   command_line.flag("--scaled", numbers.scaled, says::option_scaled);
   command_line.flag("--raw", numbers.raw, says::option_raw);
 }
@@ -39,18 +31,6 @@ PositionUnits RecordedNumbers::units() const {
   if (scaled && raw) throw Failure({says::scaled_and_raw});
   auto const numbers = scaled ? ScaledNumbers::shown : raw ? ScaledNumbers::raw : ScaledNumbers::recognised;
   return {.unit = unit, .numbers = numbers};
-}
-
-std::vector<AxisColumn> axis_columns(std::string const& option, std::vector<std::string> const& texts) {
-  std::vector<AxisColumn> columns;
-  for (auto const& text : texts) {
-    auto const sign = text.find('=');
-    if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
-      throw Failure({says::column_of_axis, {{"option", option}, {"text", text}}});
-    }
-    columns.push_back({.axis = text.substr(0, sign), .column = text.substr(sign + 1)});
-  }
-  return columns;
 }
 
 }  // namespace axisc::cli

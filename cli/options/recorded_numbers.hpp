@@ -2,11 +2,7 @@
 #pragma once
 
 #include "axisc/answers/execution/recorded_scale.hpp"
-#include "axisc/files/recorded_positions.hpp"
 #include "cli/options/command_line.hpp"
-
-#include <string>
-#include <vector>
 
 namespace axisc::cli {
 
@@ -21,9 +17,5 @@ struct RecordedNumbers {
 
 /// `numbers` must outlive the command line's answers.
 void declare_recorded_numbers(CommandLine& command_line, RecordedNumbers& numbers);
-
-/// "X=COLUMN" each. Failure for other texts.
-[[nodiscard]] std::vector<AxisColumn> axis_columns(std::string const& option,
-                                                   std::vector<std::string> const& texts);
 
 }  // namespace axisc::cli

@@ -101,6 +101,15 @@ def _path(path: Path) -> bytes:
     return os.fspath(path).encode("utf-8", "surrogateescape")
 
 
+def _text(value: object) -> str | list[str]:
+    """As a question has it."""
+    if isinstance(value, (list, tuple)):
+        return [str(_text(one)) for one in value]
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(os.fspath(value) if isinstance(value, os.PathLike) else value)
+
+
 def _take(result: Bytes) -> bytes:
     taken = ctypes.string_at(result.data, result.size) if result.data else b""
     axisc_library().axisc_free(byref(result))
@@ -173,12 +182,12 @@ class Workspace:
         return Machine(self, path)
 
     def answer(self, question: str, *, format: str = "json", **options: object) -> Any:
-        """A question of axisc.h. JSON as objects; other formats, pictures and pages as text; an FMU as bytes."""
+        """A question of axisc.h. JSON as objects; other formats, pictures and pages as text; an FMU as bytes.
+        Lists and tuples are several texts, True and False yes and no."""
         asked = {"question": question, "format": format, **options}
         if question in ("picture", "report", "fmu"):
             del asked["format"]
-        texts = {key: os.fspath(value) if isinstance(value, os.PathLike) else str(value)
-                 for key, value in asked.items() if value is not None}
+        texts = {key: _text(value) for key, value in asked.items() if value is not None}
         data = self._call("answer", json.dumps(texts).encode())
         if question == "fmu":
             return data
@@ -279,6 +288,11 @@ class Machine:
     def contour(self) -> Document:
         """What the filters do to corners, circles and lines."""
         return self.answer("contour")
+
+    def circle(self, *recordings: Path, **options: object) -> Document:
+        """The circular test, as `axisc circle`: predicted for `feed` (mm/min, one or several) and `radius` (mm), or
+        evaluated beside recordings; `plane`, `tolerance` and the other words of axisc.h."""
+        return self.answer("circle", recording=recordings, **options)
 
     def delay_budget(self) -> Document:
         """What delays each axis."""

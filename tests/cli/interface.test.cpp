@@ -242,6 +242,75 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
   }
 }
 
+TEST_CASE("axisc.h answers about circles as the command does") {
+  Opened opened(R"({"language": "de"})");
+  auto const ask = [&](Json question) {
+    question["question"] = "circle";
+    return opened.call(axisc_answer, question.dump());
+  };
+  auto const command = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {"circle", "--lang", "de"});
+    return run_axisc(words).out;
+  };
+  auto const mill = samples + "/mill";
+  for (std::string const format : {"text", "json", "csv", "markdown", "html"}) {
+    INFO(format);
+    Json const question{{"input", mill},  {"feed", "1000,4000"}, {"radius", "50"},
+                        {"plane", "X,Y"}, {"tolerance", "10"},   {"format", format}};
+    CHECK(ask(question) == command({mill, "--feed", "1000,4000", "--radius", "50", "--plane", "XY",
+                                    "--tolerance", "10", "--format", format}));
+    CHECK(opened.status == AXISC_OK);  // whether or not a circle keeps the tolerance
+  }
+  auto const sample = samples + "/circle";
+  auto const ccw = sample + "/ccw.csv";
+  auto const cw = sample + "/cw.csv";
+  Json const both{{"input", sample}, {"recording", {ccw, cw}}, {"format", "svg"}};
+  CHECK(ask(both) == command({sample, ccw, cw, "-o", "-"}));
+  Json const columns{{"input", sample}, {"recording", ccw},         {"setpoint", {"X=2", "Y=3"}},
+                     {"unit", "mm"},    {"actual", {"X=4", "Y=5"}}, {"numbers", "raw"},
+                     {"format", "json"}};
+  auto const recorded = ask(columns);
+  CHECK(recorded == command({sample, ccw, "--unit", "mm", "--raw", "--setpoint", "X=2", "--setpoint", "Y=3",
+                             "--actual", "X=4", "--actual", "Y=5", "--format", "json"}));
+  CHECK(complaints(recorded, "circle").empty());
+}
+
+TEST_CASE("axisc.h answers about the circles of axes that are out of step") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/validator/rules/AX4011-group-delay-mismatch/fail", folder.path(),
+           fs::copy_options::recursive);
+  folder.write("axisc.json", R"({"severity": {"AX4011": "error"}})");
+  auto const machine = folder / "machine.json";
+  Opened opened;
+  opened.put(folder / "y.lis", bytes_of(folder / "y.lis") + " ");
+  opened.call(axisc_answer, Json{{"question", "contour"}, {"input", machine}}.dump());
+  CHECK(opened.status == AXISC_FINDINGS);
+  Json const circle{{"question", "circle"}, {"input", machine}, {"feed", "1000"}, {"radius", "50"}};
+  CHECK(opened.call(axisc_answer, circle.dump()) ==
+        run_axisc({"circle", machine, "--feed", "1000", "--radius", "50"}).out);
+  CHECK(opened.status == AXISC_OK);
+}
+
+TEST_CASE("axisc.h says what a circle lacks") {
+  Opened opened;
+  auto const sample = samples + "/circle";
+  auto const refused = [&](Json question, int status) {
+    question["question"] = "circle";
+    question["input"] = sample;
+    CHECK(opened.call(axisc_answer, question.dump()).empty());
+    CHECK(opened.status == status);
+    return opened.error();
+  };
+  using Catch::Matchers::Contains;
+  CHECK_THAT(refused(Json::object(), AXISC_UNUSABLE), Contains("needs --feed and --radius"));
+  CHECK_THAT(refused({{"feed", "fast"}, {"radius", "50"}}, AXISC_UNUSABLE), Contains("fast"));
+  CHECK_THAT(refused({{"recording", sample + "/ccw.csv"}, {"setpoint", "2"}}, AXISC_UNUSABLE),
+             Contains("X=COLUMN"));
+  CHECK_THAT(refused({{"radius", {"50", "60"}}}, AXISC_BAD_ARGUMENT), Contains("\"radius\" is one text"));
+  CHECK_THAT(refused({{"radius", {50}}}, AXISC_BAD_ARGUMENT), Contains("arrays of texts"));
+  CHECK_THAT(refused({{"format", "pdf"}}, AXISC_BAD_ARGUMENT), Contains("html, svg"));
+}
+
 namespace {
 
 /// The answer to `machines`, without its version.

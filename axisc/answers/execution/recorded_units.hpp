@@ -6,7 +6,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace axisc {
@@ -18,6 +21,13 @@ enum class RecordedUnit : std::uint8_t {
   mm,         ///< or degrees
   increments  ///< of the measuring system: P-AXIS-00233 and P-AXIS-00234 say how long one is
 };
+
+/// As people name them.
+inline std::initializer_list<std::pair<std::string_view, RecordedUnit>> const recorded_units = {
+    {"0.1um", RecordedUnit::tenths},
+    {"um", RecordedUnit::um},
+    {"mm", RecordedUnit::mm},
+    {"incr", RecordedUnit::increments}};
 
 /// All values outside the gaps are whole numbers.
 [[nodiscard]] bool is_whole(recordings::Signal const& signal, std::vector<std::size_t> const& gaps);
