@@ -7,6 +7,13 @@ if(NOT AXISC_DATE)
   message(FATAL_ERROR "CHANGELOG.md names no day of version ${PROJECT_VERSION}")
 endif()
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${changelog}")
+# Every file of a package is as old as its version: it is the same bytes whenever it is made.
+if(DEFINED ENV{SOURCE_DATE_EPOCH})
+  set(AXISC_EPOCH $ENV{SOURCE_DATE_EPOCH})
+else()
+  execute_process(COMMAND date --utc --date=${AXISC_DATE} +%s OUTPUT_VARIABLE AXISC_EPOCH OUTPUT_STRIP_TRAILING_WHITESPACE
+    ERROR_QUIET)
+endif()
 
 set(AXISC_COMMIT "" CACHE STRING "The commit that --version names; empty: that of the checkout")
 set(commit "${AXISC_COMMIT}")

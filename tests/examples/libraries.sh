@@ -7,24 +7,27 @@ source=$1 build=$2 folder=$3
 export CC=$4
 rm -rf "$folder"
 mkdir -p "$folder"
-for component in libaxisc axisrt axisrt_shared; do
+for component in libaxisc libaxisc_dev axisrt axisrt_shared axisrt_shared_dev; do
   cmake --install "$build" --component "$component" --prefix "$folder/installed" >/dev/null
 done
 mv "$folder/installed" "$folder/moved"  # an install tree may lie anywhere
 fail() { echo "$1" >&2; exit 1; }
 
-# Every name that the header declares, with the version of the script: who changes one sees it here.
+# Every name that the header declares, with the version of the script, and every name that the package's list of
+# symbols promises: who changes or removes one sees it here.
 shows() {
-  local library=$1 version=$2 header=$3 prefix=$4
+  local library=$1 version=$2 header=$3 prefix=$4 symbols=$source/cmake/debian/$5.symbols.in
   nm --dynamic --defined-only --format=posix "$library" | awk '$2 != "A" {print $1}' | LC_ALL=C sort >"$folder/shown.txt"
   grep -oE "^[a-z_0-9 *]+ \**${prefix}_[a-z_]+\(" "$header" | grep -oE "${prefix}_[a-z_]+\(" | sed "s/($/@@$version/" |
     LC_ALL=C sort -u >"$folder/declared.txt"
   [ "$(wc -l <"$folder/declared.txt")" -gt 10 ] || fail "$header declares hardly anything"
   diff "$folder/declared.txt" "$folder/shown.txt" >&2 || fail "$library does not show what $header declares"
+  sed -n "s/^ \(${prefix}_[a-z_]*\)@$version [0-9.]*$/\1@@$version/p" "$symbols" | LC_ALL=C sort >"$folder/promised.txt"
+  diff "$folder/promised.txt" "$folder/shown.txt" >&2 || fail "$library does not show what $symbols promises"
 }
 axisc=$(find "$folder/moved" -name 'libaxisc.so.?') axisrt=$(find "$folder/moved" -name 'libaxisrt.so.?')
-shows "$axisc" AXISC_0 "$folder/moved/include/axisc.h" axisc
-shows "$axisrt" AXISRT_5 "$folder/moved/include/axisrt.h" axisrt
+shows "$axisc" AXISC_0 "$folder/moved/include/axisc.h" axisc libaxisc0
+shows "$axisrt" AXISRT_5 "$folder/moved/include/axisrt.h" axisrt libaxisrt5
 readelf --dynamic "$axisrt" | grep -F '(NEEDED)' | grep -vF 'libc.so' >&2 && fail "libaxisrt.so needs more than the C library"
 
 # Structures and numbers: programs that were compiled before rely on them.

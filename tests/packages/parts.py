@@ -1,10 +1,16 @@
 #!/usr/bin/env python3
-"""The bill of materials names what the program is made of, and has what SPDX 2.3 asks for: parts.py FOLDER SOURCES static|shared|windows."""
+"""The bill of materials names what the program or the library is made of, and has what SPDX 2.3 asks for:
+
+parts.py FOLDER SOURCES KIND: shared, static or windows, of the program; library or embedded, of the library that is
+linked with others or contains them.
+"""
 import json
 import re
 import sys
 
-FOLDER, SOURCES, LINKED = sys.argv[1:]
+FOLDER, SOURCES, KIND = sys.argv[1:]
+OF_LIBRARY = KIND in ("library", "embedded")
+NAME = "libaxisc" if OF_LIBRARY else "axisc"
 # As vcpkg.json names what the project needs, with the names in the bill.
 CONTAINED = {"boost-spirit": "Boost", "boost-multiprecision": "Boost", "fmt": "fmt", "nlohmann-json": "JSON for Modern C++", "cli11": "CLI11"}
 LINKED_IN = {"libsodium": "libsodium", "pugixml": "pugixml", "zlib": "zlib"}
@@ -18,12 +24,13 @@ with open(f"{FOLDER}/third-party-licences.txt", encoding="utf-8") as file:
     licences = file.read()
 
 assert set(project["dependencies"]) == set(CONTAINED) | set(LINKED_IN) | OF_TESTS
-wanted = {"axisc", "uPlot", *CONTAINED.values()}
-if LINKED != "shared":
-    wanted |= {*LINKED_IN.values(), "GCC runtime libraries", "mingw-w64" if LINKED == "windows" else "glibc"}
+wanted = {NAME, "uPlot", *CONTAINED.values()} - ({"CLI11"} if OF_LIBRARY else set())
+if KIND in ("static", "windows", "embedded"):
+    wanted |= {*LINKED_IN.values(), "GCC runtime libraries"}
+wanted |= {"static": {"glibc"}, "windows": {"mingw-w64"}}.get(KIND, set())
 packages = {package["name"]: package for package in bill["packages"]}
 assert set(packages) == wanted, set(packages) ^ wanted
-assert packages["axisc"]["versionInfo"] == project["version-string"]
+assert packages[NAME]["versionInfo"] == project["version-string"]
 
 assert bill["spdxVersion"] == "SPDX-2.3" and bill["dataLicense"] == "CC0-1.0" and bill["SPDXID"] == "SPDXRef-DOCUMENT"
 assert re.fullmatch(r"urn:uuid:[0-9a-f-]{36}", bill["documentNamespace"])
@@ -35,7 +42,7 @@ for name, package in packages.items():
     known.add(package["SPDXID"])
     assert package["versionInfo"] and package["licenseDeclared"], name
     assert re.fullmatch(r"NOASSERTION|https://\S+", package["downloadLocation"]), name
-    assert name == "axisc" or f"==== {name} {package['versionInfo']}: {package['licenseDeclared']}\n\n" in licences, name
+    assert name == NAME or f"==== {name} {package['versionInfo']}: {package['licenseDeclared']}\n\n" in licences, name
 for row in bill["relationships"]:
     assert {row["spdxElementId"], row["relatedSpdxElement"]} <= known
 contained = {row["relatedSpdxElement"] for row in bill["relationships"] if row["relationshipType"] == "CONTAINS"}
