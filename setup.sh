@@ -18,6 +18,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
     clang-tools-14 lld llvm g++-mingw-w64-x86-64-posix wine64
     unzip mandoc groff-base zsh fish python3-jsonschema python3-yaml
     neovim emacs-nox elpa-eglot chromium
+    python3-venv mono-mcs mono-runtime
     gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm
   )
 fi
