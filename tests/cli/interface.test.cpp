@@ -12,7 +12,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -448,21 +447,6 @@ TEST_CASE("axisc.h speaks the protocol of language servers") {
   auto const told =
       send({message({{"method", "textDocument/didOpen"}, {"params", {{"textDocument", document}}}})});
   CHECK(told.dump().find("AX1006") != std::string::npos);
-}
-
-TEST_CASE("workspaces in many threads find what one finds") {
-  auto const list = samples + "/mill/machine.json";
-  Opened alone;
-  auto const wanted = alone.call(axisc_check, list);
-  std::vector<std::string> found(64);
-  std::vector<std::thread> threads;
-  for (std::size_t first = 0; first < 8; ++first) {
-    threads.emplace_back([&, first] {
-      for (std::size_t i = first; i < found.size(); i += 8) found[i] = Opened().call(axisc_check, list);
-    });
-  }
-  for (auto& thread : threads) thread.join();
-  CHECK(found == std::vector<std::string>(found.size(), wanted));
 }
 
 TEST_CASE("axisc.h refuses null pointers, unknown numbers and workspaces that were not opened") {
