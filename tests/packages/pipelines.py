@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Runs what pre-commit, the action for GitHub and the component for GitLab run: pipelines.py AXISC SOURCES."""
+import functools
 import hashlib
+import http.server
 import json
 import os
 import re
@@ -9,6 +11,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import threading
 
 try:
     import yaml
@@ -42,7 +45,18 @@ def digest_of(file):
         return hashlib.sha256(bytes_of_file.read()).hexdigest()
 
 
-def refusals(folder, archive):
+def serve(folder):
+    """The address of a server, without encryption, that hands out the files of a folder."""
+    class Quiet(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *words):
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=folder))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    return f"http://127.0.0.1:{server.server_port}"
+
+
+def refusals(folder, archive, served):
     """Ways in which an archive is not the one that was meant: the archive, the digest that is given, what is said of it."""
     alone = f"{folder}/alone.tar.xz"
     shutil.copy(archive, alone)
@@ -56,13 +70,24 @@ def refusals(folder, archive):
     shutil.copy(archive, empty)
     with open(f"{empty}.sha256", "w", encoding="utf-8"):
         pass
+    sums = f"{folder}/sums.tar.xz"
+    shutil.copy(archive, sums)
+    with open(f"{sums}.sha256", "w", encoding="utf-8") as file:
+        file.write(f"{digest_of(damaged)}  another.tar.xz\n{digest_of(sums)}  sums.tar.xz\n")
+    page = f"{folder}/page.tar.xz"
+    shutil.copy(archive, page)
+    with open(f"{page}.sha256", "w", encoding="utf-8") as file:
+        file.write("<html>Sign in")
     other = "0" * 64
-    return [(alone, "", "no digest"), (damaged, "", "does not have the SHA-256"), (empty, "", "does not have the SHA-256"),
+    return [(alone, "", "no digest"), (sums, "", "does not have the SHA-256"), (page, "", "does not have the SHA-256"),
+            (f"{folder}/nowhere.tar.xz", digest_of(archive), "cannot be read"), (damaged, digest_of(archive), "does not have the SHA-256"),
+            (f"{served}/{os.path.basename(archive)}", "", "set sha256, or use https"), (f"{served}/nothing", other, "cannot be read"),
+            (damaged, "", "does not have the SHA-256"), (empty, "", "does not have the SHA-256"),
             (archive, other, "does not have the SHA-256"), (archive, digest_of(archive)[:63], "does not have the SHA-256"),
             (archive, f"{other}\n{digest_of(archive)}", "does not have the SHA-256")]
 
 
-def github(folder, archive):
+def github(folder, archive, served):
     with open(f"{SOURCES}/action.yml", encoding="utf-8") as file:
         action = yaml.safe_load(file)
     assert action["runs"]["using"] == "composite"
@@ -76,12 +101,14 @@ def github(folder, archive):
         return {key: re.sub(r"\$\{\{ ([\w.]+) \}\}", lambda match: values[match[1]], text) for key, text in step["env"].items()}
 
     paths = f"{folder}/path"
-    for refused, digest, why in refusals(folder, archive):
+    for refused, digest, why in refusals(folder, archive, served):
         shown = shell(install["run"], folder, 1, GITHUB_PATH=paths, **environment(install, archive=refused, sha256=digest))
         assert why in shown, shown
         assert not os.path.exists(f"{folder}/axisc") and not os.path.exists(paths), (refused, digest)
     shell(install["run"], folder, GITHUB_PATH=paths, **environment(install, archive=f"{folder}/alone.tar.xz", sha256=digest_of(archive)))
     shell(install["run"], folder, GITHUB_PATH=paths, **environment(install, archive=archive))
+    named = f"{served}/{os.path.basename(archive)}"
+    shell(install["run"], folder, GITHUB_PATH=paths, **environment(install, archive=named, sha256=digest_of(archive)))
     with open(paths, encoding="utf-8") as file:
         path = file.read().split()[-1]
     assert os.path.samefile(path, f"{folder}/axisc/bin")
@@ -94,7 +121,7 @@ def github(folder, archive):
     print("GitHub: refused, installed, checked")
 
 
-def gitlab(folder, archive):
+def gitlab(folder, archive, served):
     with open(f"{SOURCES}/templates/axisc.yml", encoding="utf-8") as file:
         text = file.read()
     header, body = yaml.safe_load_all(text)
@@ -109,7 +136,7 @@ def gitlab(folder, archive):
         script = "\n".join(job["script"]).replace("/tmp/axisc", f"{folder}/unpacked")
         return job, shell(script, folder, status, **job["variables"])
 
-    for refused, digest, why in refusals(folder, archive):
+    for refused, digest, why in refusals(folder, archive, served):
         _, shown = run(1, archive=refused, sha256=digest)
         assert why in shown, shown
         assert not os.path.exists(f"{folder}/unpacked"), (refused, digest)
@@ -156,6 +183,7 @@ with tempfile.TemporaryDirectory() as temporary:
     packed = make_archive(temporary)
     with open(f"{packed}.sha256", "w", encoding="utf-8") as file:
         file.write(f"{digest_of(packed)}  {os.path.basename(packed)}\n")
-    github(temporary, packed)
-    gitlab(temporary, packed)
+    address = serve(temporary)
+    github(temporary, packed, address)
+    gitlab(temporary, packed, address)
     pre_commit(temporary)
