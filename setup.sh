@@ -29,7 +29,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
 fi
 if [ "${1:-}" = long ]; then
   packages+=(libsodium-dev:arm64 libpugixml-dev:arm64 zlib1g-dev:arm64)
-  packages+=(lintian mmdebstrap pre-commit mkdocs-material emscripten linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
+  packages+=(lintian mmdebstrap buildah pre-commit mkdocs-material emscripten linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
 fi
 
 missing=()

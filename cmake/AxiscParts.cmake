@@ -45,6 +45,10 @@ function(axisc_bill folder name purpose libraries)
     "relationships": [{"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": "SPDXRef-axisc"}]
   }]] bom @ONLY)
 
+  if(AXISC_HOMEPAGE)
+    string(JSON bom SET "${bom}" packages 0 homepage "\"${AXISC_HOMEPAGE}\"")
+  endif()
+
   # Debian keeps the licence of each package there; elsewhere the text refers to the project.
   set(debian /usr/share/doc)
   file(STRINGS "${PROJECT_SOURCE_DIR}/presentation/pictures/uplot/refresh" uplot REGEX "^version=")

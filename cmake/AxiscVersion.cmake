@@ -1,4 +1,4 @@
-# AXISC_DATE, AXISC_COMMIT and AXISC_COMPILER: the origin of the program and its packages, as they report it.
+# AXISC_DATE, AXISC_COMMIT, AXISC_COMPILER and AXISC_HOMEPAGE: the origin of the program and its packages, as they report it.
 # No clock is read.
 set(changelog "${PROJECT_SOURCE_DIR}/CHANGELOG.md")
 file(STRINGS "${changelog}" heading REGEX "^## ${PROJECT_VERSION} ")
@@ -27,3 +27,13 @@ if(NOT commit)
 endif()
 string(REPLACE GNU GCC AXISC_COMPILER "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 set(AXISC_ORIGIN "commit ${commit}, ${AXISC_COMPILER}")
+
+# AXISC_HOMEPAGE: where this is published, for packages and bills of materials. The environment comes first, as it
+# does for SOURCE_DATE_EPOCH; empty while project() in CMakeLists.txt names nobody.
+set(AXISC_HOMEPAGE "${PROJECT_HOMEPAGE_URL}")
+if(DEFINED ENV{AXISC_HOMEPAGE})
+  set(AXISC_HOMEPAGE "$ENV{AXISC_HOMEPAGE}")
+endif()
+if(AXISC_HOMEPAGE MATCHES "/OWNER(/|$)")
+  set(AXISC_HOMEPAGE "")
+endif()

@@ -3,7 +3,8 @@
 
 The guides of docs/, and a page for each rule, parameter, message of the control, word of NC programs and kind of filter as
 `axisc explain` prints it. PAGE is axisc.html, which becomes a page of the site. mkdocs (Debian: mkdocs-material) builds both languages and
-fails at a dead link. AXISC_SITE and AXISC_REPOSITORY are the addresses of the site and of the sources, where they have one.
+fails at a dead link. AXISC_SITE is the address of the site, where it has one; that of the sources is
+HOMEPAGE_URL of CMakeLists.txt, or AXISC_HOMEPAGE.
 """
 import json
 import os
@@ -19,7 +20,10 @@ from words import GUIDES, HOME, KINDS, WORDS
 
 AXISC, SOURCES, OUT = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 PAGE = pathlib.Path(sys.argv[4]) if len(sys.argv) > 4 else None
-REPOSITORY = os.environ.get("AXISC_REPOSITORY", "")
+sys.path.append(str(SOURCES / "packaging"))
+import project
+HOMEPAGE = project.read().homepage
+REPOSITORY = f"{HOMEPAGE}/blob/main" if project.is_published(HOMEPAGE) else ""
 
 
 def explained(language, *words):
@@ -79,6 +83,15 @@ def outside(target, text):
     return f"[{text}]({REPOSITORY}/{path})" if REPOSITORY else text
 
 
+def addressed(text):
+    """Commands that can be pasted, where the project has an address."""
+    if not REPOSITORY:
+        return text
+    owner = HOMEPAGE.split("/")[-2]
+    text = text.replace(f"https://github.com/{project.PLACEHOLDER}/axisc", HOMEPAGE)
+    return text.replace(f"{project.PLACEHOLDER}/axisc", f"{owner}/axisc").replace(f"{project.PLACEHOLDER}.axisc", f"{owner}.axisc")
+
+
 def guide(text, subjects, known):
     def replaced(match):
         image, shown, target = match[1], match[2], match[3]
@@ -129,7 +142,7 @@ def write_guides(folder, subjects):
     files = [path.relative_to(docs).as_posix() for path in docs.rglob("*") if path.suffix in (".svg", ".png", ".json")]
     known = set(texts) | set(files)
     for name, text in texts.items():
-        write(folder / name, linked(guide(text, subjects, known), subjects, False))
+        write(folder / name, linked(guide(addressed(text), subjects, known), subjects, False))
     for name in files:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(docs / name, folder / name)

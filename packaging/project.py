@@ -1,0 +1,88 @@
+"""What the sources say of the project: version, day, what is new, the commit, and the address where it is published.
+
+The address has one place, HOMEPAGE_URL of project() in CMakeLists.txt; the variable AXISC_HOMEPAGE takes its place, for a copy
+that is published elsewhere. OWNER in it stands for an account that nobody has named yet: nothing is released from there.
+"""
+import os
+import pathlib
+import re
+import subprocess
+from dataclasses import dataclass
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PLACEHOLDER = "OWNER"
+
+
+class Refused(Exception):
+    """Why there is no release, and what to do about it."""
+
+
+def git(*words):
+    done = subprocess.run(["git", "-C", ROOT, *words], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise Refused(f"git {words[0]} failed: {done.stderr.strip()}; releases are made from a clone of the repository")
+    return done.stdout.strip()
+
+
+@dataclass(frozen=True)
+class Project:
+    version: str
+    description: str
+    homepage: str
+    heading: str  # of the newest section of CHANGELOG.md, without the hashes
+    news: str     # the text below it
+
+    @property
+    def tag(self):
+        return f"v{self.version}"
+
+    @property
+    def owner(self):
+        return self.homepage.split("/")[-2]
+
+    @property
+    def day(self):
+        return self.heading.split("(")[-1].rstrip(")")
+
+    def address_of(self, name):
+        """Of a file of the release, on GitHub and on servers that have its addresses (Forgejo, Gitea)."""
+        return f"{self.homepage}/releases/download/{self.tag}/{name}"
+
+
+def read():
+    lines = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    call = re.search(r"^project\(axisc\b([^)]*)\)", lines, re.MULTILINE)
+    facts = {key: re.search(pattern, call[1]) if call else None
+             for key, pattern in (("VERSION", r"\bVERSION\s+([\d.]+)"), ("DESCRIPTION", r'\bDESCRIPTION\s+"([^"]*)"'),
+                                  ("HOMEPAGE_URL", r'\bHOMEPAGE_URL\s+"([^"]*)"'))}
+    for key, found in facts.items():
+        if not found:
+            raise Refused(f"CMakeLists.txt: project() has no {key}; add it")
+    sections = re.split(r"^## ", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), flags=re.MULTILINE)
+    heading, _, news = sections[1].partition("\n") if len(sections) > 1 else ("", "", "")
+    homepage = os.environ.get("AXISC_HOMEPAGE") or facts["HOMEPAGE_URL"][1]
+    return Project(facts["VERSION"][1], facts["DESCRIPTION"][1], homepage.rstrip("/"), heading.strip(), news.strip())
+
+
+def is_published(homepage):
+    return re.fullmatch(r"https://[\w.:-]+(/[\w.-]+){2,}", homepage) is not None and PLACEHOLDER not in homepage.split("/")
+
+
+def check(project):
+    """Refuses what must not become a release. All that is wrong is said at once."""
+    wrong = []
+    if not re.fullmatch(re.escape(project.version) + r" \(\d{4}-\d\d-\d\d\)", project.heading):
+        wrong.append(f"CHANGELOG.md: the newest heading is \"{project.heading}\", project() in CMakeLists.txt has the version "
+                     f"{project.version}; write \"## {project.version} (YYYY-MM-DD)\", or the new version into project()")
+    if not is_published(project.homepage):
+        wrong.append(f"{project.homepage} is not an address at which anything is published; write it into HOMEPAGE_URL of project() "
+                     "in CMakeLists.txt, or set AXISC_HOMEPAGE=https://HOST/ACCOUNT/axisc")
+    if changed := git("status", "--porcelain"):
+        wrong.append("the working folder differs from the commit; commit or remove: "
+                     + ", ".join(line.split(maxsplit=1)[1] for line in changed.split("\n")))
+    tags = [tag for tag in git("tag", "--points-at", "HEAD").split() if tag.startswith("v")]
+    if tags != [project.tag]:
+        wrong.append(f"the commit has {'the tag ' + ' '.join(tags) if tags else 'no tag'}, the version is {project.version}; "
+                     + ("delete the tag, or change the version" if tags else f"git tag {project.tag}"))
+    if wrong:
+        raise Refused("\nrelease: ".join(wrong))
