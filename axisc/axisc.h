@@ -119,6 +119,8 @@ int axisc_compile(axisc_workspace* workspace, char const* path, char const* opti
  *   circle        the circular test: "feed" in mm/min and "radius" in mm, or "recording", of both directions
  *                 or one of each; "plane", "tolerance" in um; "setpoint", "actual" ("X=COLUMN" each),
  *                 "external" ("yes"), "unit", "numbers"; "format", which may be svg
+ *   identify      mass and friction of an axis in recordings of its motion: "recording", one or several,
+ *                 "axis"; "actual", "force" (columns), "unit", "numbers"; "format"
  *   picture       "kind" as `axisc plot` has them, "axis", "group", "before", "program", "plant", "move",
  *                 "recording", "in", "out"; an SVG
  *   report        the acceptance report                      "before", "title", "customer", "author", "date";

@@ -23,6 +23,20 @@ class LeastSquares {
     }
   }
 
+  /// As if its rows had been added here.
+  void add(LeastSquares const& other) {
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t k = 0; k <= N; ++k) matrix_[i][k] += other.matrix_[i][k];
+    }
+  }
+
+  /// The unknown is 0.
+  void leave_out(std::size_t unknown) {
+    for (std::size_t i = 0; i < N; ++i) matrix_[i][unknown] = 0;
+    matrix_[unknown] = {};
+    matrix_[unknown][unknown] = 1;
+  }
+
   /// None where the equations are singular. Can be called once.
   [[nodiscard]] std::optional<std::array<double, N>> solve() {
     for (std::size_t column = 0; column < N; ++column) {

@@ -197,6 +197,9 @@ constexpr std::array questions = {
         .name = "circle",
         .keys = "input feed radius plane tolerance recording external setpoint actual unit numbers format",
         .answer = circle},
+    Question{.name = "identify",
+             .keys = "input recording axis actual force unit numbers format",
+             .answer = identify},
     Question{.name = "report", .keys = "input before title customer author date", .answer = report},
     Question{.name = "fmu", .keys = "input version name", .answer = fmu},
     Question{.name = "explain", .keys = "word format", .answer = explain}};

@@ -4,6 +4,7 @@
 #include "axisc/answers/circle/circular_figure.hpp"
 #include "axisc/answers/comparison/compare_answer.hpp"
 #include "axisc/answers/execution/recorded_input.hpp"
+#include "axisc/answers/identify/identify_answer.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/checking/compiled_input.hpp"
 #include "presentation/pictures/svg.hpp"
@@ -82,6 +83,20 @@ std::optional<std::string> circle(Workspace& workspace, Asked const& asked, Erro
   if (!test) return std::nullopt;
   if (!format) return pictures::svg(circular_figure(*test, errors.language), errors.language);
   return presentation::write(circle_answer(*test), *format, {.language = errors.language});
+}
+
+std::optional<std::string> identify(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {
+  auto const found =
+      identified_axis(workspace,
+                      {.machine = {.input = asked.text("input")},
+                       .recordings = asked.texts("recording"),
+                       .axis = asked.find("axis"),
+                       .columns = {.actual = asked.find("actual"), .force = asked.find("force")},
+                       .units = units(asked)},
+                      errors);
+  if (!found) return std::nullopt;
+  return presentation::write(identify_answer(*found), asked.word("format", presentation::formats),
+                             {.language = errors.language});
 }
 
 }  // namespace axisc::interface

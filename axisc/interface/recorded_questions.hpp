@@ -17,5 +17,7 @@ namespace axisc::interface {
 /// A recording need not be.
 [[nodiscard]] std::optional<std::string> circle(Workspace& workspace, Asked const& asked,
                                                 ErrorSink const& errors);
+[[nodiscard]] std::optional<std::string> identify(Workspace& workspace, Asked const& asked,
+                                                  ErrorSink const& errors);
 
 }  // namespace axisc::interface

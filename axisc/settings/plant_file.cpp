@@ -1,10 +1,16 @@
 #include "axisc/settings/plant_file.hpp"
 
+#include "axisc/asked/quantities.hpp"
 #include "axisc/environment/codes.hpp"
+#include "axisc/environment/failure.hpp"
 #include "axisc/settings/located_file.hpp"
 #include "configuration/json_reading.hpp"
 #include "configuration/sentences.hpp"
+#include "diagnostics/joined.hpp"
+#include "diagnostics/writers/json_stream.hpp"
+#include "presentation/value.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -12,6 +18,14 @@ namespace axisc::says {
 
 constexpr Sentence json{"the plant file is not valid JSON here",
                         "die Streckendatei ist hier kein gültiges JSON"};
+constexpr Sentence not_a_key{"\"{key}\" is not a key of a plant file; there are {known}",
+                             "\"{key}\" ist kein Schlüssel einer Streckendatei; es gibt {known}"};
+constexpr Sentence not_a_number{"{key}={value}: a number {range} is needed",
+                                "{key}={value}: nötig ist eine Zahl {range}"};
+constexpr Sentence not_a_word{"{key}={value}: one of {words} is needed",
+                              "{key}={value}: nötig ist eines von {words}"};
+constexpr Sentence above{"above {low}, up to {high}", "über {low}, bis {high}"};
+constexpr Sentence from{"from {low} to {high}", "von {low} bis {high}"};
 constexpr Sentence axis{"there is no plant for axis {axis}", "für Achse {axis} gibt es keine Strecke"};
 
 }  // namespace axisc::says
@@ -94,6 +108,30 @@ constexpr JsonShape plant_shape{.kind = Kind::object, .title = "Plant of one axi
 constexpr JsonShape plants_shape{.kind = Kind::list, .items = &plant_shape};
 constexpr std::array file_keys = {JsonKey{"plants", &plants_shape, required, "One plant for each axis."}};
 
+/// Those that are neither the name nor a comment.
+bool is_figure(JsonKey const& key) {
+  return key.store != nullptr;
+}
+
+std::string known_keys() {
+  std::string known;
+  for (auto const& key : plant_keys) {
+    if (is_figure(key)) known.append(known.empty() ? "" : ", ").append(key.name);
+  }
+  return known;
+}
+
+bool is_in_range(double number, JsonShape const& shape) {
+  bool const is_low = shape.above_lowest ? number > shape.lowest : number >= shape.lowest;
+  return is_low && number <= shape.highest;
+}
+
+PlantValue const* find_value(std::vector<PlantValue> const& values, std::string_view key) {
+  auto const found =
+      std::find_if(values.begin(), values.end(), [key](PlantValue const& one) { return one.key == key; });
+  return found == values.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 constexpr JsonShape plant_file_shape{.kind = Kind::object, .title = "Plant file of axisc", .keys = file_keys};
@@ -113,6 +151,64 @@ motion::PlantParameters read_plant(std::string const& path, std::string const& a
     return parameters;
   }
   file.refuse(plants.span, says::axis, {{"axis", axis}});
+}
+
+void check_plant_value(PlantValue const& value) {
+  auto const* const key = std::find_if(plant_keys.begin(), plant_keys.end(), [&](JsonKey const& one) {
+    return is_figure(one) && one.name == value.key;
+  });
+  if (key == plant_keys.end()) {
+    throw Failure({says::not_a_key, {{"key", value.key}, {"known", known_keys()}}});
+  }
+  auto const& shape = *key->shape;
+  if (!shape.words.empty()) {
+    if (std::find(shape.words.begin(), shape.words.end(), value.value) != shape.words.end()) return;
+    throw Failure(
+        {says::not_a_word, {{"key", value.key}, {"value", value.value}, {"words", joined(shape.words)}}});
+  }
+  auto const number = parse_finite(value.value);
+  if (number && is_in_range(*number, shape)) return;
+  auto const range = presentation::Words(
+      shape.above_lowest ? SentenceRef(says::above) : SentenceRef(says::from),
+      {{"low", presentation::exact(shape.lowest)}, {"high", presentation::exact(shape.highest)}});
+  throw Failure({says::not_a_number,
+                 {{"key", value.key}, {"value", value.value}, {"range", presentation::wording_of(range)}}});
+}
+
+std::vector<std::string> missing_plant_keys(std::vector<PlantValue> const& values) {
+  std::vector<std::string> missing;
+  for (auto const& key : plant_keys) {
+    bool const is_missing =
+        is_figure(key) && key.presence == required && find_value(values, key.name) == nullptr;
+    if (is_missing) missing.emplace_back(key.name);
+  }
+  return missing;
+}
+
+std::string plant_text(std::string const& axis, std::string const& comment,
+                       std::vector<PlantValue> const& values) {
+  std::string text;
+  JsonStream json(text, 0);
+  json.begin_object();
+  json.key("plants");
+  json.begin_array();
+  json.begin_object();
+  json.member("name", axis);
+  json.member("comment", comment);
+  for (auto const& key : plant_keys) {
+    auto const* const value = is_figure(key) ? find_value(values, key.name) : nullptr;
+    if (value == nullptr) continue;
+    json.key(key.name);
+    if (key.shape->words.empty()) {
+      json.raw(presentation::json_number(parse_finite(value->value).value_or(0)));
+    } else {
+      json.string(value->value);
+    }
+  }
+  json.end_object();
+  json.end_array();
+  json.end_object();
+  return text + "\n";
 }
 
 }  // namespace axisc

@@ -51,6 +51,9 @@ constexpr Sentence simulate_meaning{
 constexpr Sentence suggest_meaning{"suggest filters for an axis that vibrates",
                                    "Filter für eine Achse vorschlagen, die schwingt"};
 
+constexpr Sentence identify_meaning{"find mass and friction of an axis in recordings of its motion",
+                                    "Masse und Reibung einer Achse in Aufzeichnungen ihrer Bewegung finden"};
+
 constexpr Sentence compare_meaning{"compare a control's recording with what axisc computes",
                                    "die Aufzeichnung einer Steuerung mit der Rechnung vergleichen"};
 constexpr Sentence replay_meaning{"execute a controller's recording again",
@@ -83,6 +86,7 @@ constexpr std::array rows = {CommandRow{"lint", says::lint_meaning, lint},
                              CommandRow{"circle", says::circle_meaning, circle},
                              CommandRow{"simulate", says::simulate_meaning, simulate},
                              CommandRow{"suggest", says::suggest_meaning, suggest},
+                             CommandRow{"identify", says::identify_meaning, identify},
                              CommandRow{"compare", says::compare_meaning, compare},
                              CommandRow{"replay", says::replay_meaning, replay},
                              CommandRow{"diff", says::diff_meaning, diff},

@@ -28,6 +28,7 @@ namespace axisc::cli {
 [[nodiscard]] ExitStatus contour(Invocation const& invocation);
 [[nodiscard]] ExitStatus circle(Invocation const& invocation);
 [[nodiscard]] ExitStatus suggest(Invocation const& invocation);
+[[nodiscard]] ExitStatus identify(Invocation const& invocation);
 [[nodiscard]] ExitStatus simulate(Invocation const& invocation);
 [[nodiscard]] ExitStatus schema(Invocation const& invocation);
 [[nodiscard]] ExitStatus explain(Invocation const& invocation);

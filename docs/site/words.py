@@ -59,7 +59,7 @@ GUIDES = [
     ({"en": "A machine's lists", "de": "Listen einer Maschine (englisch)"},
      ["controller-folder.md", "twincat-project.md", "machine-file.md", "settings.md", "values.md", "mistakes.md", "report.md", "schema-files.md"]),
     ({"en": "Filters and motion", "de": "Filter und Bewegung (englisch)"},
-     ["filters.md", "plots.md", "gallery.md", "contour.md", "nc-programs.md", "circle.md", "suggest.md", "closed-loop.md", "plant-file.md", "compare.md", "record.md"]),
+     ["filters.md", "plots.md", "gallery.md", "contour.md", "nc-programs.md", "circle.md", "suggest.md", "closed-loop.md", "plant-file.md", "identify.md", "compare.md", "record.md"]),
     ({"en": "Pipelines and programs", "de": "Pipelines und Programme (englisch)"},
      ["pipelines.md", "findings.md", "python.md", "library.md", "webassembly.md"]),
     ({"en": "Controllers", "de": "Steuerungen (englisch)"},

@@ -102,6 +102,7 @@ constexpr Page pages[] = {
     {"docs/fmu.md", "cp -r $samples ."},
     {"docs/findings.md", "cp -r $samples ."},
     {"docs/gallery.md", "cp -r $samples . && cp -r samples/controller repaired"},
+    {"docs/identify.md", "cp $samples/resonance/* . && cp moves.csv x.csv"},
     {"docs/nc-programs.md", "cp -r $samples ."},
     {"docs/pipelines.md",
      "cp -r $samples/mill plant && cp -r plant lists && ls plant/*.lis >changed.txt && "
@@ -166,6 +167,12 @@ TEST_CASE("the page about suggestions shows what its commands print") {
   fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/resonance", folder / "try");
   fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/motion/rack", folder / "try/rack");
   check_golden("docs/suggest.md", executed(read_source_file("docs/suggest.md"), folder / "try"));
+}
+
+TEST_CASE("the page about mass and friction shows what its commands print") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/resonance", folder / "try");
+  check_golden("docs/identify.md", executed(read_source_file("docs/identify.md"), folder / "try"));
 }
 
 TEST_CASE("the page about recordings shows what its commands print") {

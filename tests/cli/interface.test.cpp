@@ -219,6 +219,14 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
                {"format", format}}) ==
           run_axisc({"compare", recorded + "x.lis", recorded + "scope.csv", "--format", format}).out);
   }
+  auto const resonance = samples + "/resonance/";
+  CHECK(ask({{"question", "identify"},
+             {"input", resonance + "x.lis"},
+             {"recording", resonance + "moves.csv"},
+             {"actual", "2"},
+             {"format", "json"}}) == run_axisc({"identify", resonance + "x.lis", resonance + "moves.csv",
+                                                "--actual", "2", "--format", "json"})
+                                         .out);
   CHECK(ask({{"question", "picture"},
              {"kind", "compare"},
              {"input", recorded + "x.lis"},

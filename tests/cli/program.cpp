@@ -36,9 +36,9 @@ void replace(int descriptor, std::string const& path, int flags) {
 
 /// An answer in JSON is as its schema says, whatever is tested.
 void check_answer(std::vector<std::string> const& arguments, std::string const& out) {
-  constexpr std::array<std::string_view, 12> answering = {"certify", "circle",   "compare",  "contour",
-                                                          "diff",    "explain",  "get",      "inspect",
-                                                          "replay",  "response", "simulate", "suggest"};
+  constexpr std::array<std::string_view, 13> answering = {
+      "certify",  "circle",  "compare", "contour",  "diff",     "explain", "get",
+      "identify", "inspect", "replay",  "response", "simulate", "suggest"};
   auto const format = std::find(arguments.begin(), arguments.end(), "--format");
   bool const is_json = format != arguments.end() && format + 1 != arguments.end() && format[1] == "json";
   constexpr std::size_t longest = 300'000;  // all parameters at once would take seconds

@@ -116,6 +116,14 @@ ColumnScale column_scale(RecordingFile const& file, ChosenColumn const& column, 
   return scale;
 }
 
+ColumnScale shown_scale(RecordingFile const& file, ChosenColumn const& column, ScaledNumbers numbers) {
+  auto const& channel = file.recording.channels[column.channel];
+  auto const scaling = decided(file, channel, numbers);
+  auto scale = scaling == Scaling::raw ? to_shown(channel) : ColumnScale();
+  scale.scaling = scaling;
+  return scale;
+}
+
 recordings::Signal positions(recordings::Signal signal, ColumnScale const& scale, double thousandths) {
   bool const is_same_unit = scale.thousandths == thousandths;
   if (!scale.changes() && is_same_unit) return signal;

@@ -41,6 +41,11 @@ struct ColumnScale {
                                        recordings::Signal const& signal,
                                        std::vector<std::size_t> const& gaps);
 
+/// To the numbers as the scope shows them, in the unit that the header names: of a column that is not a
+/// position. Failure (AX9005) where they may be raw or shown.
+[[nodiscard]] ColumnScale shown_scale(RecordingFile const& file, ChosenColumn const& column,
+                                      ScaledNumbers numbers);
+
 /// In units of `thousandths`.
 [[nodiscard]] recordings::Signal positions(recordings::Signal signal, ColumnScale const& scale,
                                            double thousandths);
