@@ -294,6 +294,11 @@ class Machine:
         evaluated beside recordings; `plane`, `tolerance` and the other words of axisc.h."""
         return self.answer("circle", recording=recordings, **options)
 
+    def identify(self, *recordings: Path, **options: object) -> Document:
+        """Mass and friction of an axis in recordings of its motion, as `axisc identify`: `axis`, `actual` and `force`
+        (columns), `unit`, `numbers`."""
+        return self.answer("identify", recording=recordings, **options)
+
     def delay_budget(self) -> Document:
         """What delays each axis."""
         return self.answer("delay_budget")

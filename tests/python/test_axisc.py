@@ -171,6 +171,12 @@ class Answers(unittest.TestCase):
         self.assertEqual(machine.report().encode(), program("report", MILL, "-o", "-").stdout)
         self.assertEqual(machine.answer("machine", format="text"), program("machine", MILL).stdout.decode())
 
+    def test_identification(self):
+        machine, moves = "samples/resonance/machine.json", "samples/resonance/moves.csv"
+        self.same(axisc.open(machine).identify(moves, axis="X"), "identify", machine, moves, "--axis", "X")
+        with self.assertRaisesRegex(axisc.Unusable, "recording"):
+            axisc.open(machine).identify(axis="X")
+
     def test_circles(self):
         machine = axisc.open(MILL)
         self.same(machine.circle(feed=[1000, 4000], radius=50, plane="XY", tolerance=10),
