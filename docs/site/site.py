@@ -16,6 +16,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 sys.dont_write_bytecode = True
+import search
 from words import GUIDES, HOME, KINDS, WORDS
 
 AXISC, SOURCES, OUT = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
@@ -42,6 +43,7 @@ class Subjects:
         everything = json.loads(explained(language, "--all", "--format", "json"))
         self.titles = {kind: {} for kind in KINDS}
         self.pages = {}
+        self.also = {}
         for subject in everything["hits"]:
             self.add(subject["kind"] + "s", subject["name"], subject["meaning"] or "", subject["also"])
 
@@ -49,6 +51,8 @@ class Subjects:
         if self.titles[kind].setdefault(name, meaning) != meaning:
             return
         page = f"{kind}/{slug(name)}.md"
+        if kind == "parameters" and also:
+            self.also[name] = also
         for known in [name, *name.split("/")] + ([also] if kind == "parameters" and also else []):
             self.pages.setdefault(known, page)
 
@@ -88,6 +92,7 @@ def addressed(text):
     if not REPOSITORY:
         return text
     owner = HOMEPAGE.split("/")[-2]
+    text = re.sub(rf"^`{project.PLACEHOLDER}` stands for .*?\n\n", "", text, flags=re.DOTALL | re.MULTILINE)
     text = text.replace(f"https://github.com/{project.PLACEHOLDER}/axisc", HOMEPAGE)
     return text.replace(f"{project.PLACEHOLDER}/axisc", f"{owner}/axisc").replace(f"{project.PLACEHOLDER}.axisc", f"{owner}.axisc")
 
@@ -112,14 +117,8 @@ def write(path, text):
     path.write_text(text, encoding="utf-8")
 
 
-def synonyms(language):
-    """Words that people use for a subject, so that the search of the site finds its page."""
-    with open(SOURCES / "schema" / "lookup" / "lookup.json", encoding="utf-8") as file:
-        return {row["of"]: ", ".join(row["words"][language]) for row in json.load(file)["synonyms"]}
-
-
-def write_subjects(folder, language, subjects):
-    others = synonyms(language)
+def write_subjects(folder, language, subjects, called):
+    others = {name: ", ".join(words[language]) for name, words in called.items() if words[language]}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for kind in KINDS:
             names = list(subjects.titles[kind])
@@ -160,7 +159,8 @@ def configuration(folder, language):
     other = "de" if language == "en" else "en"
     return {"site_name": "axisc", "site_description": words["about"], "site_url": os.environ.get("AXISC_SITE") or None,
             "docs_dir": str(folder.resolve()), "site_dir": str((OUT / "site" / ("de" if language == "de" else "")).resolve()),
-            "use_directory_urls": False, "nav": navigation, "plugins": [{"search": {"lang": language}}],
+            "use_directory_urls": False, "nav": navigation, "extra_javascript": ["query.js"], "extra_css": ["query.css"],
+            "plugins": [{"search": {"lang": language}}],
             "theme": {"name": "material", "language": language, "font": False,
                       "features": ["navigation.sections", "navigation.top", "search.highlight", "search.suggest"],
                       "palette": [{"media": "(prefers-color-scheme: light)", "scheme": "default"},
@@ -176,9 +176,12 @@ def build(language):
     folder = OUT / f"pages-{language}"
     shutil.rmtree(folder, ignore_errors=True)
     subjects = Subjects(language)
+    called = search.words_of(SOURCES / "schema" / "lookup" / "lookup.json")
     write(folder / "index.md", HOME[language])
-    write_subjects(folder, language, subjects)
+    write_subjects(folder, language, subjects, called)
     write_guides(folder, subjects)
+    for name in ("query.js", "query.css"):
+        shutil.copyfile(SOURCES / "docs" / "site" / name, folder / name)
     chosen = configuration(folder, language)
     path = OUT / f"mkdocs-{language}.json"
     path.write_text(json.dumps(chosen, indent=2), encoding="utf-8")
@@ -186,6 +189,9 @@ def build(language):
     if done.returncode != 0:
         problems = [line for line in done.stderr.split("\n") if "WARNING" in line or "ERROR" in line]
         sys.exit("site.py: mkdocs: " + ("\n".join(problems) or done.stderr))
+    made = pathlib.Path(chosen["site_dir"])
+    search.enrich(made / "search" / "search_index.json", language, subjects, called)
+    search.mend(made)
     return {kind: len(subjects.titles[kind]) for kind in KINDS}
 
 

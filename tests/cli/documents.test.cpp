@@ -187,6 +187,16 @@ TEST_CASE("the page about looking up, getting and setting values shows what its 
   check_golden("docs/values.md", executed(read_source_file("docs/values.md"), folder / "try"));
 }
 
+TEST_CASE("the pages about the position loop and about proofs show what their commands print") {
+  for (std::string const document : {"docs/closed-loop.md", "docs/certificate.md"}) {
+    TemporaryFolder const folder;
+    fs::create_directories(folder / "try/examples");
+    fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples", folder / "try/samples", fs::copy_options::recursive);
+    fs::copy(std::string(AXISC_SOURCE_DIR) + "/examples/axim_check.c", folder / "try/examples");
+    check_golden(document, executed(read_source_file(document), folder / "try"));
+  }
+}
+
 TEST_CASE("every document with lines for the shell says where they run") {
   auto const is_known = [](std::string const& document) {
     return std::any_of(std::begin(pages), std::end(pages),

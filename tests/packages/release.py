@@ -161,9 +161,9 @@ def collected(folder, work):
     check_container(out)
     release(folder, "verify", str(out))
     shown = release(folder, "notes", str(out))
-    assert shown.startswith(f"- New is [this]({HOME}/blob/v{VERSION}/docs/this.md).\n") and "Old" not in shown, shown
+    assert shown.endswith(f"## What is new\n\n- New is [this]({HOME}/blob/v{VERSION}/docs/this.md).\n") and "Old" not in shown, shown
     assert f"uses: somebody/axisc@v{VERSION}" in shown and digest_of(out / f"{LINUX}.tar.xz") in shown
-    assert f"{HOME}/releases/download/v{VERSION}/axisc.json" in shown and not re.search(r"@[A-Z]+@", shown), shown
+    assert f"{HOME}/releases/latest/download/axisc.json" in shown and not re.search(r"@[A-Z]+@", shown), shown
     assert "exists" in release(folder, "collect", str(work / "made"), str(out), status=2)
     for name in (f"{LINUX}.tar.xz", "axisc.json"):
         whole = (out / name).read_bytes()
