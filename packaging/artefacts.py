@@ -11,25 +11,28 @@ from dataclasses import dataclass
 
 from project import Refused
 
-BILL = "share/doc/axisc/axisc.spdx.json"
+BILL = "axisc.spdx.json"
 
 
 @dataclass(frozen=True)
 class Kind:
-    pattern: str  # VERSION stands for the version
+    pattern: str  # VERSION stands for the version, * for anything
     made_by: str
 
 
 KINDS = [
     Kind("axisc_VERSION-1_amd64.deb", ".ci/packages"),
+    Kind("libaxisrt5_VERSION-1_amd64.deb", ".ci/packages"),
     Kind("libaxisrt-dev_VERSION-1_amd64.deb", ".ci/packages"),
+    Kind("libaxisc0_VERSION-1_amd64.deb", ".ci/packages"),
+    Kind("libaxisc-dev_VERSION-1_amd64.deb", ".ci/packages"),
+    Kind("python3-axisc_VERSION-1_all.deb", ".ci/packages"),
+    Kind("axisc-VERSION-py3-none-*.whl", ".ci/packages"),
     Kind("axisc-VERSION-linux-x86_64.tar.xz", ".ci/packages"),
     Kind("axisc-VERSION-windows-x86_64.zip", ".ci/windows"),
     Kind("axisc-VERSION.vsix", "editor/clients/vscode/package.sh"),
     Kind("axisc.html", ".ci/web"),
 ]
-# Further packages of Debian may be there.
-ALSO = ["*_VERSION-1_amd64.deb", "*_VERSION-1_all.deb"]
 
 
 def digest_of(path):
@@ -51,7 +54,7 @@ def recorded_digest(path):
 def entries(path):
     """What an archive contains: names without the leading ./, and a function that reads one."""
     try:
-        if path.suffix in (".zip", ".vsix"):
+        if path.suffix in (".zip", ".vsix", ".whl"):
             archive = zipfile.ZipFile(path)
             if archive.testzip() is not None:
                 raise Refused(f"{path}: damaged; make it again")
@@ -80,7 +83,7 @@ def inside(path, name):
 def bill_of(path, project, commit):
     """The bill of materials in an archive, which also says from which commit the program was built."""
     _, text = inside(path, BILL)
-    program = next((row for row in json.loads(text)["packages"] if row["name"] == "axisc"), None)
+    program = next((row for row in json.loads(text)["packages"] if row["name"] in ("axisc", "libaxisc")), None)
     if program is None or program["versionInfo"] != project.version:
         raise Refused(f"{path}: its bill of materials is not that of axisc {project.version}; build it again")
     built = re.match(r"commit ([0-9a-f]{7,40})\b", program.get("comment", ""))
@@ -103,10 +106,10 @@ def find(folder, project, commit):
         raise Refused(f"{folder}: no such folder; .ci/release builds what belongs there")
     files = {path.name: path for path in sorted(folder.iterdir()) if not path.name.endswith(".sha256")}
     named = lambda pattern: pattern.replace("VERSION", project.version)
-    missing = [f"{named(kind.pattern)} ({kind.made_by})" for kind in KINDS if named(kind.pattern) not in files]
+    missing = [f"{named(kind.pattern)} ({kind.made_by})" for kind in KINDS if not fnmatch.filter(files, named(kind.pattern))]
     if missing:
         raise Refused(f"{folder}: missing: {', '.join(missing)}; .ci/release builds them")
-    known = [named(kind.pattern) for kind in KINDS] + [named(pattern) for pattern in ALSO]
+    known = [named(kind.pattern) for kind in KINDS]
     others = [name for name in files if not any(fnmatch.fnmatchcase(name, pattern) for pattern in known)]
     if others:
         raise Refused(f"{folder}: no release of {project.version} has {', '.join(others)}; remove them")
@@ -120,6 +123,6 @@ def find(folder, project, commit):
             _, manifest = inside(path, "extension/package.json")
             if json.loads(manifest)["version"] != project.version:
                 raise Refused(f"{path}: the extension has the version {json.loads(manifest)['version']}; write {project.version} into package.json")
-        elif name.startswith(("axisc-", "axisc_")):
-            bills[re.sub(r"\.(deb|zip|tar\.xz)$", ".spdx.json", name)] = bill_of(path, project, commit)
+        elif name.startswith(("axisc-", "axisc_", "libaxisc0_")):
+            bills[re.sub(r"\.(deb|zip|tar\.xz|whl)$", ".spdx.json", name)] = bill_of(path, project, commit)
     return files, bills

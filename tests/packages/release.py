@@ -95,7 +95,11 @@ def artefacts(folder, commit_of, version=VERSION):
     document = "share/doc/axisc/axisc.spdx.json"
     text = bill(version, commit_of)
     write_deb(folder / f"axisc_{VERSION}-1_amd64.deb", "axisc", {"usr/bin/axisc": b"program", f"usr/{document}": text})
-    write_deb(folder / f"libaxisrt-dev_{VERSION}-1_amd64.deb", "libaxisrt-dev", {"usr/include/axisrt.h": b"header"})
+    for package in ("libaxisrt5", "libaxisrt-dev", "libaxisc-dev"):
+        write_deb(folder / f"{package}_{VERSION}-1_amd64.deb", package, {f"usr/{package}": b"library"})
+    write_deb(folder / f"libaxisc0_{VERSION}-1_amd64.deb", "libaxisc0", {"usr/share/doc/libaxisc0/axisc.spdx.json": text})
+    write_deb(folder / f"python3-axisc_{VERSION}-1_all.deb", "python3-axisc", {"usr/lib/python3/dist-packages/axisc/__init__.py": b""})
+    write_zip(folder / f"axisc-{VERSION}-py3-none-manylinux_2_35_x86_64.whl", {f"axisc-{VERSION}.dist-info/licenses/axisc.spdx.json": text})
     write_tar(folder / f"{LINUX}.tar.xz", {f"{LINUX}/bin/axisc": b"program", f"{LINUX}/{document}": text})
     write_zip(folder / f"{WINDOWS}.zip", {f"{WINDOWS}/bin/axisc.exe": b"program", f"{WINDOWS}/{document}": text})
     write_zip(folder / f"axisc-{VERSION}.vsix", {"extension/package.json": json.dumps({"version": version})})
