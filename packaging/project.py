@@ -11,6 +11,12 @@ from dataclasses import dataclass
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PLACEHOLDER = "OWNER"
+VERSIONS = {
+    "vcpkg.json": r'"version-string": "([^"]*)"',
+    "editor/clients/vscode/package.json": r'^  "version": "([^"]*)"',
+    "python/axisc/_library.py": r'^version = "([^"]*)"',
+    "web/package.json": r'^  "version": "([^"]*)"',
+}
 
 
 class Refused(Exception):
@@ -68,12 +74,25 @@ def is_published(homepage):
     return re.fullmatch(r"https://[\w.:-]+(/[\w.-]+){2,}", homepage) is not None and PLACEHOLDER not in homepage.split("/")
 
 
+def other_versions(project):
+    """Where another version is written than that of project()."""
+    for name, pattern in VERSIONS.items():
+        found = re.search(pattern, (ROOT / name).read_text(encoding="utf-8"), re.MULTILINE)
+        if not found or found[1] != project.version:
+            yield f"{name} has {f'the version {found[1]}' if found else 'no version'}; write {project.version}"
+    young = [path.parent.name for path in sorted(ROOT.glob("validator/rules/*/facts.json")) if '"unreleased"' in path.read_text(encoding="utf-8")]
+    if young:
+        yield (f"{len(young)} rules say that they are not released ({young[0]}, …); write \"since\": \"{project.version}\" into "
+               "validator/rules/*/facts.json, then the table anew: axisc explain --all >docs/rules.md")
+
+
 def check(project):
     """Refuses what must not become a release. All that is wrong is said at once."""
     wrong = []
     if not re.fullmatch(re.escape(project.version) + r" \(\d{4}-\d\d-\d\d\)", project.heading):
         wrong.append(f"CHANGELOG.md: the newest heading is \"{project.heading}\", project() in CMakeLists.txt has the version "
                      f"{project.version}; write \"## {project.version} (YYYY-MM-DD)\", or the new version into project()")
+    wrong += other_versions(project)
     if not is_published(project.homepage):
         wrong.append(f"{project.homepage} is not an address at which anything is published; write it into HOMEPAGE_URL of project() "
                      "in CMakeLists.txt, or set AXISC_HOMEPAGE=https://HOST/ACCOUNT/axisc")

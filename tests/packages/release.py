@@ -27,6 +27,11 @@ VERSION, DAY, HOME = "9.8.7", "2031-02-03", "https://git.example.com/somebody/ax
 LINUX, WINDOWS = f"axisc-{VERSION}-linux-x86_64", f"axisc-{VERSION}-windows-x86_64"
 CMAKE = f'project(axisc VERSION {VERSION} LANGUAGES C\n  DESCRIPTION "Lists: checked" HOMEPAGE_URL "{HOME}")\n'
 CHANGELOG = f"# Changes\n\n## {VERSION} ({DAY})\n\n- New is\n  [this](docs/this.md).\n\n## 9.8.6 (2031-01-01)\n\n- Old.\n"
+OTHERS = {
+    "vcpkg.json": f'{{"version-string": "{VERSION}"}}', "python/axisc/_library.py": f'version = "{VERSION}"\n',
+    "editor/clients/vscode/package.json": f'{{\n  "version": "{VERSION}"\n}}', "web/package.json": f'{{\n  "version": "{VERSION}"\n}}',
+    "validator/rules/AX0001-first/facts.json": f'{{"since": "{VERSION}"}}',
+}
 
 
 def run(*words, folder, status=0, **variables):
@@ -41,6 +46,9 @@ def sources(folder):
     shutil.copytree(SOURCES / "packaging", folder / "packaging", ignore=shutil.ignore_patterns("__pycache__"))
     (folder / "CMakeLists.txt").write_text(CMAKE)
     (folder / "CHANGELOG.md").write_text(CHANGELOG)
+    for name, text in OTHERS.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
     run("git", "init", "-q", ".", folder=folder)
     commit(folder)
     run("git", "tag", f"v{VERSION}", folder=folder)
@@ -216,6 +224,11 @@ def refused_sources(folder, work):
     change("CMakeLists.txt", VERSION, "9.9.0")
     refused("has the version 9.9.0", f"the tag v{VERSION}")
     change("CMakeLists.txt", "9.9.0", VERSION)
+    for name in OTHERS:
+        other = "unreleased" if name.endswith("facts.json") else "9.8.6"
+        change(name, VERSION, other)
+        refused(*(["AX0001-first", "docs/rules.md"] if other == "unreleased" else [f"{name} has the version 9.8.6; write {VERSION}"]))
+        change(name, other, VERSION)
     change("CMakeLists.txt", "HOMEPAGE_URL", "HOME")
     refused("project() has no HOMEPAGE_URL")
     change("CMakeLists.txt", "HOME", "HOMEPAGE_URL")
