@@ -64,13 +64,13 @@ TEST_CASE("every schema is printed, as it is published") {
     CHECK(outcome.status == 0);
     CHECK(outcome.out == read_source_file("docs/schemas/" + file));
   }
-  CHECK(count == 20);
+  CHECK(count == 21);
   auto const refused = run_axisc({"schema", "list"});
   CHECK(refused.status == 2);
   CHECK(refused.err ==
         "axisc: error: axisc schema does not know \"list\"; choose from certify, circle, compare, contour, "
-        "diff, explain, filters, finding, fix, get, inspect, machine, machines, plant, replay, response, "
-        "schema, settings, simulate, suggest\n");
+        "diff, explain, filters, finding, fix, get, identify, inspect, machine, machines, plant, replay, "
+        "response, schema, settings, simulate, suggest\n");
   CHECK(run_axisc({"schema"}).status == 2);
 }
 
