@@ -77,8 +77,9 @@ std::optional<ChosenColumn> column_by_name(RecordingFile const& file, std::strin
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (is_called(channels[i], i, wanted)) found.push_back(i);
   }
-  if (found.size() > 1)
+  if (found.size() > 1) {
     std::erase_if(found, [&](std::size_t i) { return !names_axis(channels[i].name, axis); });
+  }
   if (found.size() != 1) return std::nullopt;
   return ChosenColumn{.channel = found.front(), .by = FoundBy::name};
 }

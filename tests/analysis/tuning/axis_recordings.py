@@ -23,6 +23,8 @@ from collections import Counter
 
 import numpy as np
 
+import mode_recordings
+
 T = 1e-3
 STEPS = 16
 H = T / STEPS
@@ -132,12 +134,7 @@ def store(path, position, force, form="%.4f"):
     return str(path)
 
 
-class Trial:
-    def __init__(self, axisc, folder):
-        self.axisc, self.folder = axisc, pathlib.Path(folder)
-        self.bad = False
-        (self.folder / "x.lis").write_text("filter_fir.enable 1\nfilter_fir.order 20\nfilter_fir.type 1\nEnde\n")
-
+class Trial(mode_recordings.Trial):
     def ask(self, file):
         done = subprocess.run([self.axisc, "identify", str(self.folder / "x.lis"), file, "--cycle-time", "1ms",
                                "--format", "json"], capture_output=True, text=True)

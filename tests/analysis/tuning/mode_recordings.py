@@ -302,4 +302,5 @@ def main():
     sys.exit(trial.bad)
 
 
-main()
+if __name__ == "__main__":
+    main()
