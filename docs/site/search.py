@@ -43,9 +43,8 @@ def enrich(path, language, subjects, words):
     seen = {}
     for entry in index["docs"]:
         page, _, section = entry["location"].partition("#")
-        for key in ("title", "text"):  # the search takes it for a wildcard, and stumbles over it
-            entry[key] = entry[key].replace("*", " ")
-        if page not in of_page or (seen.get(page) and section and seen[page] != "page"):
+        # The theme takes the text of a page from its first section.
+        if page not in of_page or (section and seen.get(page)):
             continue
         names = of_page[page]
         called = {way: [word for name in names for one in dict.fromkeys([name, *name.split("/")]) for word in words.get(one, {}).get(way, [])]
@@ -57,10 +56,9 @@ def enrich(path, language, subjects, words):
         if not section:
             last = [name.split(".")[-1] for name in names]
             entry["tags"] = list(dict.fromkeys([*(part for name in names for part in name.split("/")), *last,
-                                                *(parts(number)[2] for number in numbers),
+                                                *(number.rsplit("-", 1)[-1] for number in numbers),
                                                 *(spellings(word)[0] for word in last + called[language])]))
-        # The theme takes the text of a page from its first section.
-        seen[page] = section or "page"
+        seen[page] = section
     if missing := set(of_page) - set(seen):
         raise SystemExit(f"site.py: the index lacks {', '.join(sorted(missing)[:5])}")
     path.write_text(json.dumps(index, ensure_ascii=False, separators=(",", ":")), encoding="utf-8")
