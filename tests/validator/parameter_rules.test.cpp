@@ -126,3 +126,27 @@ TEST_CASE("a line that a later one overwrites keeps its error") {
   CHECK(Checked("getriebe[0].vb_eilgang P-AXIS-00212\ngetriebe[0].vb_eilgang P-AXIS-00212\n").found() ==
         Lines{"1:24 AX2006"});
 }
+
+TEST_CASE("AX3002 in channel lists: the low-pass of the distance control, where the cycle time is known") {
+  auto const found = [](std::string const& lines, std::string const& cycle) {
+    Checked const checked({{"machine.json", R"({"axes": [{"name": "X", "list": "x.lis"}], )" + cycle +
+                                                R"("groups": [{"axes": ["X"], "channel_list": "sda.lis"}]})"},
+                           {"x.lis", "kopf.achs_nr 1\n"},
+                           {"sda.lis", "prog_start.slope.profile 1\n" + lines}},
+                          "machine.json", validator::CheckOptions{});
+    auto lines_found = checked.found();
+    lines_found.erase(std::remove(lines_found.begin(), lines_found.end(), "- AX9006"), lines_found.end());
+    return lines_found;
+  };
+  std::string const two_milliseconds = R"("cycle_time_us": 2000, )";
+  std::string const at_limit = "dist_ctrl[0].low_pass_filter_fg_f0 250\n";
+  std::string const enabled = "dist_ctrl[0].low_pass_filter_enable 1\n";
+  Lines const refused{"sda.lis:2:36 AX3002"};
+  CHECK(found(at_limit + enabled, two_milliseconds) == refused);
+  CHECK(found(at_limit + "dist_ctrl[0].filter_type LOWPASS\n", two_milliseconds) == refused);
+  CHECK(found("dist_ctrl[0].low_pass_filter_fg_f0 249.9\n" + enabled, two_milliseconds).empty());
+  CHECK(found(at_limit + enabled, R"("cycle_time_us": 1000, )").empty());
+  CHECK(found(at_limit, two_milliseconds).empty());
+  CHECK(found(at_limit + "dist_ctrl[0].filter_type KALMAN_MA\n", two_milliseconds).empty());
+  CHECK(found(at_limit + enabled, "").empty());
+}

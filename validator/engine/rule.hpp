@@ -27,6 +27,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -38,6 +39,7 @@ namespace axisc::validator {
 struct ListContext {
   LoadedList const& list;
   SourceText const& source;
+  std::optional<design::CycleTime> cycle_time = {};  ///< none where nothing says it
 };
 
 /// The context of a rule about the whole machine: axes, lists, gantries, the machine file's values. A list

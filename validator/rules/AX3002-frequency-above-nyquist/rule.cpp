@@ -3,6 +3,7 @@
 #include "validator/rules/characteristic_frequency.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/helpers.hpp"
 #include "validator/rules/sentences.hpp"
 
 namespace axisc::validator::says {
@@ -42,33 +43,67 @@ std::string_view message_of(Filtering filtering) {
   return {};
 }
 
+Message headline(double frequency, design::CycleTime cycle_time) {
+  return {says::headline, {{"frequency", number(frequency)}, {"limit", number(cycle_time.nyquist().value)}}};
+}
+
+void describe(Finding& finding, double frequency, std::string const& parameter,
+              design::CycleTime cycle_time) {
+  double const nyquist = cycle_time.nyquist().value;
+  Wording const limit = number(nyquist);
+  finding.label =
+      Message{says::label, {{"limit", limit}, {"cycle", microseconds(cycle_time.microseconds())}}};
+  double const hertz = frequency / 1000;
+  if (hertz >= 1 && hertz < nyquist) {
+    finding.help.push_back(
+        {says::help_millihertz,
+         {{"value", number(frequency)}, {"parameter", parameter}, {"hertz", number(hertz)}}});
+  } else {
+    finding.help.push_back({says::help_lower, {{"limit", limit}}});
+  }
+}
+
 void frequency_above_nyquist(AxisContext const& axis, Report& report) {
   double const nyquist = axis.cycle_time.nyquist().value;
   for (CharacteristicFrequency const& found : characteristic_frequencies(axis)) {
-    if (found.frequency.value.number < nyquist) continue;
-    Wording const limit = number(nyquist);
-    Finding& finding =
-        report.add(found.anchor,
-                   {says::headline, {{"frequency", number(found.frequency.value.number)}, {"limit", limit}}});
-    finding.label =
-        Message{says::label, {{"limit", limit}, {"cycle", microseconds(axis.cycle_time.microseconds())}}};
+    double const frequency = found.frequency.value.number;
+    if (frequency < nyquist) continue;
+    Finding& finding = report.add(found.anchor, headline(frequency, axis.cycle_time));
     finding.notes.push_back(
         {says::limit,
-         {{"p_axis", parameter_number(found.frequency)}, {"limit", limit}, {"user", found.user}}});
+         {{"p_axis", parameter_number(found.frequency)}, {"limit", number(nyquist)}, {"user", found.user}}});
     note_default(finding, found.frequency);
-    double const hertz = found.frequency.value.number / 1000;
-    if (hertz >= 1 && hertz < nyquist) {
-      finding.help.push_back({says::help_millihertz,
-                              {{"value", number(found.frequency.value.number)},
-                               {"parameter", parameter_name(found.frequency)},
-                               {"hertz", number(hertz)}}});
-    } else {
-      finding.help.push_back({says::help_lower, {{"limit", limit}}});
-    }
+    describe(finding, frequency, parameter_name(found.frequency), axis.cycle_time);
     bool const stops = found.filtering == Filtering::distance_control;
     react(finding, message_of(found.filtering),
           {stops ? says::axis_stops : says::filter_reaction_refused, {}});
   }
+}
+
+/// Distance control of a channel. All lines are in one list: nothing is known about lists that it is used with.
+void frequency_above_nyquist_in_list(ListContext const& context, Report& report) {
+  if (context.list.kind != configuration::ListKind::channel || !context.cycle_time) return;
+  LineValues const& lines = context.list.line_values;
+  auto const line_of = [&](std::string const& name) -> std::optional<std::uint32_t> {
+    auto const found = context.list.catalogue.find("dist_ctrl[0]." + name);
+    std::uint32_t const last = found.row != nullptr ? lines.last_of(found.slot) : 0;
+    if (last == 0 || lines[last - 1].status != ReadingStatus::value) return std::nullopt;
+    return last - 1;
+  };
+  auto const frequency = line_of("low_pass_filter_fg_f0");
+  auto const enable = line_of("low_pass_filter_enable");
+  auto const type = line_of("filter_type");
+  bool const is_used =
+      (enable && lines[*enable].value.number != 0) || (type && lines[*type].value.text == "LOWPASS");
+  if (!frequency || !is_used) return;
+  double const value = lines[*frequency].value.number;
+  if (value < context.cycle_time->nyquist().value) return;
+  schema::Slot const slot = *lines.slot(*frequency);
+  schema::Parameter const& row = context.list.catalogue.parameter_of(slot);
+  Finding& finding = report.add(place_of(context, context.list.tree.assignments[*frequency].value), row, slot,
+                                headline(value, *context.cycle_time));
+  describe(finding, value, schema::slot_name(row, slot), *context.cycle_time);
+  react(finding, distance_control_refused, {says::axis_stops, {}});
 }
 
 }  // namespace
@@ -84,6 +119,7 @@ extern constinit Rule const ax3002{
         "kenngr.dist_ctrl[].low_pass_filter_enable kenngr.dist_ctrl[].filter_type",
     .needs = Needs::cycle_time,
     .check = frequency_above_nyquist,
+    .list_check = frequency_above_nyquist_in_list,
 };
 
 }  // namespace axisc::validator::checks
