@@ -126,7 +126,8 @@ class Engine {
     std::vector<std::string_view> const owner_of = owners();
     for (std::size_t i = 0; i < machine_.lists.size(); ++i) {
       LoadedList const& list = machine_.lists[i].list;
-      ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source], machine_.cycle_time});
+      ListContext const& context =
+          list_contexts_.emplace_back(ListContext{list, sources_[list.source], machine_.cycle_time});
       for (Rule const& rule : rules()) {
         auto const* const check = std::get_if<ListCheck>(&rule.check);
         if (check == nullptr || !policy_.enabled(rule, list.source)) continue;
@@ -138,7 +139,8 @@ class Engine {
   /// The catalogues of the other kinds are less complete than that of axis lists: values that contradict them
   /// are warnings.
   void run_checks_of_other_list(LoadedList const& list) {
-    ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source], machine_.cycle_time});
+    ListContext const& context =
+        list_contexts_.emplace_back(ListContext{list, sources_[list.source], machine_.cycle_time});
     std::size_t const before = reported_.findings.size();
     for (Rule const& rule : rules()) {
       auto const* const only = std::get_if<ListCheck>(&rule.check);

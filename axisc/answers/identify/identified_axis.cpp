@@ -16,8 +16,7 @@ constexpr Sentence which_axis{"name the recorded axis with --axis",
                               "die aufgezeichnete Achse mit --axis nennen"};
 constexpr Sentence needs_recording{
     "a recording of the axis is missing: MACHINE RECORDING...; `axisc compare --emit template --for "
-    "identify` "
-    "sets the scope up",
+    "identify` sets the scope up",
     "es fehlt eine Aufzeichnung der Achse: MASCHINE AUFZEICHNUNG...; `axisc compare --emit template --for "
     "identify` richtet das Scope ein"};
 constexpr Sentence other_sample_time{

@@ -80,7 +80,7 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
   }
 }
 
-/// Distance control of a channel. All lines are in one list: nothing is known about lists that it is used with.
+/// Distance control of a channel: all lines are in one list, as others that it is used with are not known.
 void frequency_above_nyquist_in_list(ListContext const& context, Report& report) {
   if (context.list.kind != configuration::ListKind::channel || !context.cycle_time) return;
   LineValues const& lines = context.list.line_values;
