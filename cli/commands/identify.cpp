@@ -16,13 +16,6 @@ constexpr Sentence argument_identify{"the machine, then recordings of the axis i
 constexpr Sentence option_identified{"the recorded axis", "die aufgezeichnete Achse"};
 constexpr Sentence option_identify_actual{"column of the actual position", "Spalte der Istposition"};
 constexpr Sentence option_force{"column of the torque or force", "Spalte des Drehmoments oder der Kraft"};
-constexpr Sentence option_position_unit{
-    "unit of the position's numbers; mm for rotary axes means degrees, incr increments of the measuring "
-    "system "
-    "(default: that of the recorded object, of the header or in brackets behind the name)",
-    "Einheit der Zahlen der Position; mm bei rotatorischen Achsen heißt Grad, incr Inkremente des "
-    "Messsystems "
-    "(Standardwert: die des aufgezeichneten Objekts, des Kopfs oder in Klammern hinter dem Namen)"};
 constexpr Sentence option_emit_plant{"write a plant file instead of the answer",
                                      "statt der Antwort eine Streckendatei schreiben"};
 constexpr Sentence option_known{
@@ -52,7 +45,7 @@ void declare(CommandLine& command_line, IdentifyOptions& options) {
   command_line.value("--axis", "NAME", question.axis, says::option_identified);
   command_line.value("--actual", "COLUMN", question.columns.actual, says::option_identify_actual);
   command_line.value("--force", "COLUMN", question.columns.force, says::option_force);
-  declare_recorded_numbers(command_line, options.numbers, says::option_position_unit);
+  declare_recorded_numbers(command_line, options.numbers);
   command_line.choice("--emit", {{"plant", Emitted::plant}}, options.emitted, says::option_emit_plant);
   command_line.only_with("--emit");
   command_line.values("--known", "KEY=VALUE", options.known, says::option_known);

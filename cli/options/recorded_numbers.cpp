@@ -22,11 +22,7 @@ constexpr Sentence scaled_and_raw{"name either --scaled or --raw", "entweder --s
 namespace axisc::cli {
 
 void declare_recorded_numbers(CommandLine& command_line, RecordedNumbers& numbers) {
-  declare_recorded_numbers(command_line, numbers, says::option_recorded_unit);
-}
-
-void declare_recorded_numbers(CommandLine& command_line, RecordedNumbers& numbers, SentenceRef unit) {
-  command_line.choice("--unit", recorded_units, numbers.unit, unit);
+  command_line.choice("--unit", recorded_units, numbers.unit, says::option_recorded_unit);
   command_line.flag("--scaled", numbers.scaled, says::option_scaled);
   command_line.flag("--raw", numbers.raw, says::option_raw);
 }

@@ -17,7 +17,5 @@ struct RecordedNumbers {
 
 /// `numbers` must outlive the command line's answers.
 void declare_recorded_numbers(CommandLine& command_line, RecordedNumbers& numbers);
-/// `unit` is what --unit means.
-void declare_recorded_numbers(CommandLine& command_line, RecordedNumbers& numbers, SentenceRef unit);
 
 }  // namespace axisc::cli

@@ -37,12 +37,14 @@ struct Fits {
 std::optional<std::size_t> first_length(std::span<MotionRecord const> records, double noise, double T,
                                         ModelForm form) {
   constexpr double step = 1.1;
-  auto const longest = static_cast<std::size_t>(std::lround(longest_first_window / T));
+  bool const is_elastic = form == ModelForm::elastic;
+  double const seconds = is_elastic ? longest_first_elastic_window : longest_first_window;
+  auto const longest = static_cast<std::size_t>(std::lround(seconds / T));
   for (std::size_t length = shortest_window; length <= std::max(longest, shortest_window);
        length =
            std::max(length + 1, static_cast<std::size_t>(std::lround(step * static_cast<double>(length))))) {
     auto const window = make_window(length, T);
-    auto const& weights = form == ModelForm::elastic ? window.fourth : window.acceleration;
+    auto const& weights = is_elastic ? window.fourth : window.acceleration;
     if (noise_share(records, weights, noise) < largest_noise_share) return length;
   }
   return std::nullopt;

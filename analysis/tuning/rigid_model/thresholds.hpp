@@ -21,6 +21,8 @@ inline constexpr double shortest_direction = 0.1;
 inline constexpr std::size_t shortest_window = 6;
 /// s: what is longer averages the acceleration away.
 inline constexpr double longest_first_window = 0.1;
+/// s: the fourth derivative takes longer windows to stand out from a coarse position.
+inline constexpr double longest_first_elastic_window = 0.2;
 /// Of the variance of what a window measures, that the noise of the position may have: as a share it lowers
 /// the mass by as much.
 inline constexpr double largest_noise_share = 0.01;

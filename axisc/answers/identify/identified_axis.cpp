@@ -102,6 +102,7 @@ std::optional<IdentifiedAxis> identified_axis(Workspace& workspace, IdentifyQues
       found.sample_time_ms = signals.sample_time_ms;
     }
     refuse_other(signals, file, found, files.front());
+    found.is_unit_guessed = found.is_unit_guessed || signals.is_unit_guessed;
     std::string const prefix = files.size() > 1 ? file + ": " : "";
     found.mapping.push_back({prefix + "position", signals.mapping[0]});
     found.mapping.push_back({prefix + "force", signals.mapping[1]});

@@ -28,6 +28,7 @@ struct UsedColumn {
 struct IdentifiedAxis {
   std::string axis;
   bool is_rotary = false;
+  bool is_unit_guessed = false;  ///< that of a position
   ForceUnit force;
   double sample_time_ms = 0;
   tuning::RigidModel model;  ///< with a mass

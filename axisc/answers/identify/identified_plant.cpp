@@ -19,6 +19,12 @@ constexpr Sentence not_in_kilograms{
     "the mass of axis {axis} is in {unit}, and a plant file has kg: record the force along the axis in N",
     "die Masse der Achse {axis} ist in {unit}, eine Streckendatei hat kg: die Kraft entlang der Achse in N "
     "aufzeichnen"};
+constexpr Sentence no_unit{
+    "nothing names the unit of the position, so that the mass may be wrong by orders of magnitude; say it "
+    "with "
+    "--unit",
+    "nichts nennt die Einheit der Position, sodass die Masse um Größenordnungen falsch sein kann; mit --unit "
+    "angeben"};
 constexpr Sentence too_heavy{
     "--known: {known} kg of {keys} leave nothing of the {mass} kg that were identified",
     "--known: {known} kg von {keys} lassen nichts von den {mass} kg, die identifiziert sind"};
@@ -95,6 +101,7 @@ std::string identified_plant(IdentifiedAxis const& found, std::vector<PlantValue
   if (units.mass != "kg") {
     throw Failure({says::not_in_kilograms, {{"axis", found.axis}, {"unit", units.mass}}});
   }
+  if (found.is_unit_guessed) throw Failure({says::no_unit});
   for (auto one = known.begin(); one != known.end(); ++one) {
     bool const is_again =
         std::any_of(known.begin(), one, [&](PlantValue const& other) { return other.key == one->key; });

@@ -14,8 +14,8 @@ namespace axisc {
 
 /// The mass that was identified is that of motor, load and structure together: one of motor and load has to
 /// be known, the other one is the rest. Kv is that of the list where it is not known otherwise. Failure for a
-/// mass that is not in kg, for known masses that disagree with the identified one, and while a required key
-/// is missing: it lists what is there, and what is missing.
+/// mass that is not in kg, a guessed unit, known masses that disagree with the identified one, and while a
+/// required key is missing: it lists what is there, and what is missing.
 [[nodiscard]] std::string identified_plant(IdentifiedAxis const& found, std::vector<PlantValue> known);
 
 }  // namespace axisc

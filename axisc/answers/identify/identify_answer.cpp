@@ -34,6 +34,12 @@ constexpr Sentence windows{
     "der anderen"};
 constexpr Sentence dead_time{"the force comes {time} after the motion in the recording",
                              "die Kraft kommt in der Aufzeichnung {time} nach der Bewegung"};
+constexpr Sentence guessed_unit{
+    "nothing names the unit of the position: whole numbers count as 0.1 µm or 0.0001°, others as mm or "
+    "degrees; "
+    "--unit says it",
+    "nichts nennt die Einheit der Position: ganze Zahlen gelten als 0,1 µm oder 0,0001°, andere als mm oder "
+    "Grad; --unit gibt sie an"};
 constexpr Sentence unknown_force{"F is the force as it was recorded: nothing names its unit",
                                  "F ist die Kraft, wie sie aufgezeichnet ist: Nichts nennt ihre Einheit"};
 constexpr Sentence at_the_motor{
@@ -123,7 +129,8 @@ Document identify_answer(IdentifiedAxis const& found) {
   blocks.emplace_back(
       Facts{{data("windows", model.windows), data("window_ms", length_ms),
              data("accelerating_percent", percent * model.accelerating),
-             data("explained_percent", percent * model.explained), data("dead_time_ms", dead_time_ms)}});
+             data("explained_percent", percent * model.explained), data("dead_time_ms", dead_time_ms),
+             data("position_unit_guessed", found.is_unit_guessed)}});
   blocks.emplace_back(Paragraph{Words(says::windows, {{"windows", model.windows},
                                                       {"length", milliseconds(length_ms)},
                                                       {"accelerating", share(model.accelerating)},
@@ -131,6 +138,7 @@ Document identify_answer(IdentifiedAxis const& found) {
   if (model.dead_time != 0) {
     blocks.emplace_back(Paragraph{Words(says::dead_time, {{"time", milliseconds(dead_time_ms)}})});
   }
+  if (found.is_unit_guessed) blocks.emplace_back(Paragraph{says::guessed_unit});
   if (found.force.symbol.empty()) {
     blocks.emplace_back(Paragraph{says::unknown_force});
   } else if (!found.is_rotary && found.force.kind != ForceKind::newton) {

@@ -27,9 +27,6 @@ constexpr Sentence which_force{
     "there are {known}",
     "{file} zeigt nicht, welche Spalte Drehmoment oder Kraft der Achse {axis} ist; sie mit --force SPALTE "
     "nennen; vorhanden sind {known}"};
-constexpr Sentence which_unit{
-    "{file} does not say what the numbers of column \"{column}\" are; say it with --unit",
-    "{file} sagt nicht, was die Zahlen der Spalte \"{column}\" sind; mit --unit angeben"};
 
 }  // namespace axisc::says
 
@@ -54,7 +51,8 @@ bool is_called(recordings::Channel const& channel, std::size_t index, InputKind 
   if (kind_of(channel, {.channel = index}) != wanted) return false;
   if (wanted == InputKind::force) return true;
   // What says nothing is a position for kind_of().
-  constexpr std::array<std::string_view, 4> words{"position", "lage", "actual", "istwert"};
+  constexpr std::array<std::string_view, 6> words{"position", "lage",   "actual",
+                                                  "istwert",  "actpos", "istpos"};
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
@@ -119,10 +117,6 @@ MotionSignals motion_signals(RecordingFile const& file, MovedAxis const& axis, M
   auto pair = recorded_pair(file, chosen, axis.cycle_ms);
   auto& position = pair.signals.signals[0];
   auto const scale = column_scale(file, chosen[0], units, axis.configured, position, {});
-  if (scale.is_guessed) {
-    auto const& name = file.recording.channels[chosen[0].channel].name;
-    throw Failure({says::which_unit, {{"file", file.name}, {"column", shown_column(name)}}}, csv_malformed);
-  }
   position = positions(std::move(position), scale, scale.thousandths);
   if (auto const range = modulo_range(axis.configured)) {
     comparison::unwind(position, {}, *range / scale.thousandths);
@@ -135,6 +129,7 @@ MotionSignals motion_signals(RecordingFile const& file, MovedAxis const& axis, M
   MotionSignals found{
       .record = {.position = position.values(), .force = pair.signals.signals[1].values()},
       .sample_time_ms = pair.sample_time_ms,
+      .is_unit_guessed = scale.is_guessed,
       .force = force_unit_of(named_unit(force)),
       .mapping = {mapped_column(file, chosen[0], scale, is_rotary), mapped_column(file, chosen[1])}};
   for (double& value : found.record.position) value *= unit;

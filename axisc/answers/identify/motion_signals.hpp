@@ -34,14 +34,14 @@ struct MovedAxis {
 struct MotionSignals {
   tuning::MotionRecord record;  ///< position in m or rad, force in units of `force`
   double sample_time_ms = 0;
+  bool is_unit_guessed = false;  ///< that of the position: see ColumnScale
   ForceUnit force;
   std::array<MappedColumn, 2> mapping;  ///< position and force
 };
 
 /// Columns that are not named are the actual position and the torque of the axis, by object or by the names
 /// of a template, or the only ones whose names say so ("Position X [mm]", "Torque [Nm]"). Failure (AX9005)
-/// where they have to be named, where nothing says what the numbers of the position are, and for samples
-/// that are missing.
+/// where they have to be named, and for samples that are missing.
 [[nodiscard]] MotionSignals motion_signals(RecordingFile const& file, MovedAxis const& axis,
                                            MotionColumns const& columns, PositionUnits const& units);
 

@@ -30,10 +30,11 @@ Motion quintic(double distance, double duration, double t) {
 
 struct Axis {
   double mass = 300, viscous = 200, coulomb = 90, constant = -40;
-  double elastic = 0;        ///< m_M m_L / k, kg s²
-  double resolution = 1e-7;  ///< m
-  double force_noise = 0.5;  ///< half of the range
-  int dead_time = 0;         ///< samples
+  double elastic = 0;         ///< m_M m_L / k, kg s²
+  double resolution = 1e-7;   ///< m
+  double position_noise = 0;  ///< m, half of the range
+  double force_noise = 0.5;   ///< half of the range
+  int dead_time = 0;          ///< samples
   bool is_one_way = false;
   std::size_t moves = 16;
   double longest = 0.3;  ///< s
@@ -59,7 +60,8 @@ MotionRecord recorded(Axis const& axis) {
       auto const now = moves ? quintic(distance, duration, static_cast<double>(k) * T)
                              : Motion{.position = k == 0 ? 0 : distance};
       double const friction = moves ? std::copysign(axis.coulomb, distance) : 0;
-      record.position.push_back(rounded(start + now.position, axis.resolution));
+      double const noise = axis.position_noise * (2 * uniform() - 1);
+      record.position.push_back(rounded(start + now.position + noise, axis.resolution));
       record.force.push_back(axis.mass * now.acceleration + axis.viscous * now.velocity + friction +
                              axis.constant + axis.elastic * now.fourth +
                              axis.force_noise * (2 * uniform() - 1));
@@ -165,7 +167,7 @@ TEST_CASE("what recordings do not show is refused with its reason") {
     CHECK(together({record}).doubt == RigidDoubt::too_short);
   }
   SECTION("a coarse position") {
-    CHECK(model_of({.resolution = 2e-3}).doubt == RigidDoubt::coarse);
+    CHECK(model_of({.position_noise = 1e-3}).doubt == RigidDoubt::coarse);
   }
   SECTION("hardly any acceleration: friction is nearly all of the force") {
     CHECK(model_of({.mass = 1, .viscous = 0, .moves = 8, .longest = 2}).doubt == RigidDoubt::no_acceleration);

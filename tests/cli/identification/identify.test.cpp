@@ -145,7 +145,9 @@ TEST_CASE("identify asks what is not clear", "[identify]") {
   bench.folder.write("unnamed.csv", changed("time,a,b", 1, 1));
   bench.check_refused({"unnamed.csv"}, "--actual COLUMN; there are \"a\", \"b\"");
   bench.check_refused({"unnamed.csv", "--actual", "a"}, "--force COLUMN");
-  bench.check_refused({"unnamed.csv", "--actual", "a", "--force", "b"}, "--unit");
+  auto const guessed = bench.answer({"unnamed.csv", "--actual", "a", "--force", "b"});
+  CHECK(guessed["position_unit_guessed"] == true);
+  CHECK(bench.answer({"moves.csv"})["position_unit_guessed"] == false);
   auto const named = bench.answer({"unnamed.csv", "--actual", "a", "--force", "b", "--unit", "mm"});
   CHECK(named["mapping"][0]["found_by"] == "option");
   bench.folder.write("two.csv", changed("time,Position [mm],Torque A [Nm]", 1, 1));
@@ -208,6 +210,8 @@ TEST_CASE("identify writes a plant file, or says which keys are missing", "[iden
   bench.check_refused(with({"kv_per_s"}), "KEY=VALUE");
   bench.check_refused(with({"position_feedback=load"}), "direct, motor");
   bench.check_refused({"moves.csv", "--known", "kv_per_s=3"}, "--emit");
+  bench.folder.write("unnamed.csv", changed("time,actual,torque [N]", 1, 1));
+  bench.check_refused({"unnamed.csv", "--emit", "plant"}, "say it with --unit");
 }
 
 TEST_CASE("identify's plant file takes Kv from the list", "[identify]") {
