@@ -34,7 +34,12 @@ macro(axisc_debian_library component name library abi next description)
   axisc_debian_package(${component} ${name} libs "${description}"
     CONTROL "${control}/symbols" "${control}/shlibs" "${control}/triggers")
   set(CPACK_DEBIAN_${of}_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_${of}_PACKAGE_MULTIARCH same)
+  if(CMAKE_VERSION VERSION_LESS 3.31)
+    # cpack has no word for the field yet: it follows the section.
+    set(CPACK_DEBIAN_${of}_PACKAGE_SECTION "libs\nMulti-Arch: same")
+  else()
+    set(CPACK_DEBIAN_${of}_PACKAGE_MULTIARCH same)
+  endif()
 endmacro()
 
 axisc_debian_package(axisc axisc devel "checks and compiles axis parameter lists
