@@ -18,7 +18,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
     clang-tools-14 lld llvm g++-mingw-w64-x86-64-posix wine64
     unzip mandoc groff-base zsh fish python3-jsonschema python3-yaml
     neovim emacs-nox elpa-eglot chromium
-    python3-venv mono-mcs mono-runtime
+    python3-venv
     gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm
   )
 fi
@@ -29,7 +29,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
 fi
 if [ "${1:-}" = long ]; then
   packages+=(libsodium-dev:arm64 libpugixml-dev:arm64 zlib1g-dev:arm64)
-  packages+=(lintian mmdebstrap buildah pre-commit mkdocs-material emscripten linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
+  packages+=(mono-mcs mono-runtime lintian mmdebstrap buildah pre-commit mkdocs-material emscripten linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
 fi
 
 missing=()
