@@ -31,6 +31,7 @@ struct Stretch {
   Exit exit;  ///< found with these
   /// Between these velocities nothing exceeds its limit.
   double kept_in = -1, kept_out = -1;
+  double middle = 0;  ///< along its middle, of the motion that was looked at
 
   [[nodiscard]] bool is_single() const { return end - first == 1; }
 };
@@ -168,7 +169,7 @@ class Plan {
             .is_possible = stretch.exit.is_possible};
   }
 
-  bool finds_places(Stretch const& stretch) {
+  bool finds_places(Stretch& stretch) {
     if (!stretch.exit.is_possible) {
       std::fill(places_.begin() + static_cast<std::ptrdiff_t>(stretch.first),
                 places_.begin() + static_cast<std::ptrdiff_t>(stretch.end), char{1});
@@ -178,7 +179,9 @@ class Plan {
     passed.element = stretch.whole;
     passed.velocity_in = stretch.velocity_in;
     passed.velocity_out = stretch.exit.velocity;
-    find_profile(passed);
+    complete(passed);
+    stretch.middle = passed.velocity_middle;
+    find_phases(passed);
     exceeded_.clear();
     lowest_exceeded_ = std::max(passed.velocity_in, passed.velocity_middle);
     PhaseCutter cutter(phases_);
@@ -199,8 +202,7 @@ class Plan {
     return split_at_lowest();
   }
 
-  void find_profile(PassedElement& passed) {
-    complete(passed);
+  void find_phases(PassedElement const& passed) {
     phases_.clear();
     append_profile(task_of(passed), passed.velocity_middle, phases_);
   }
@@ -232,7 +234,8 @@ class Plan {
 
   /// The motion of a stretch to its elements.
   void share_out(Stretch const& stretch, PassedElement passed) {
-    find_profile(passed);
+    complete(passed, stretch.is_single() ? middle_velocity(task_of(passed)) : stretch.middle);
+    find_phases(passed);
     if (stretch.is_single()) {
       parts_[stretch.first] = {.passed = passed, .phases = phases_, .is_place = true};
       return;

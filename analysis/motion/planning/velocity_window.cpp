@@ -48,7 +48,11 @@ BlockTask task_of(PassedElement const& passed) {
 }
 
 void complete(PassedElement& passed) {
-  passed.velocity_middle = middle_velocity(task_of(passed));
+  complete(passed, middle_velocity(task_of(passed)));
+}
+
+void complete(PassedElement& passed, double middle) {
+  passed.velocity_middle = middle;
   double const peak = std::max(passed.velocity_in, passed.velocity_middle);
   if (peak >= passed.element.velocity * (1 - same_velocity)) {
     passed.limited_by = passed.element.velocity_cause;

@@ -93,5 +93,7 @@ struct Exit {
 [[nodiscard]] BlockTask task_of(PassedElement const& passed);
 /// Finds the velocity along its middle, and the cause of its velocities.
 void complete(PassedElement& passed);
+/// The cause alone, where the velocity along its middle is known.
+void complete(PassedElement& passed, double middle);
 
 }  // namespace axisc::motion
