@@ -44,8 +44,9 @@ std::optional<ImageFile> image_alone(Workspace& workspace, std::string const& pa
 std::optional<InputImage> compiled_input(Workspace& workspace, MachineRequest const& request,
                                          ErrorSink const& errors) {
   auto const& input = request.input;
-  if (auto image = image_alone(workspace, input))
+  if (auto image = image_alone(workspace, input)) {
     return InputImage{.image = std::move(*image), .machine = {}};
+  }
   auto checked = checked_machine(workspace, request, errors);
   if (!checked) return std::nullopt;
   auto image = image_of(checked->machine, input);

@@ -111,8 +111,8 @@ class Plan {
   /// As velocity_window.hpp says, computed only where something changed.
   void choose() {
     double next = 0;
-    for (auto at = stretches_.rbegin(); at != stretches_.rend(); ++at) {
-      auto& stretch = *at;
+    for (auto at = stretches_.end(); at != stretches_.begin();) {
+      auto& stretch = *--at;
       auto& whole = stretch.whole;
       if (std::exchange(stretch.next_allowed, next) != next) {
         double braking = whole.down->fastest(next, whole.length);
