@@ -47,7 +47,8 @@ class TurnSearch {
     if (!find_circle()) return BadTurn{.problem = TurnProblem::no_circle};
     std::vector<Turn> turns;
     auto const all = runs();
-    for (auto run = all.rbegin(); run != all.rend(); ++run) {
+    for (auto run = all.end(); run != all.begin();) {
+      --run;
       bool const is_known =
           std::any_of(turns.begin(), turns.end(), [&](Turn const& turn) { return turn.sense == run->sense; });
       if (is_known) continue;
@@ -106,6 +107,7 @@ class TurnSearch {
       circle_ = fit_circle(kept);
       if (!std::isfinite(circle_.radius)) return false;
       std::vector<double> away;
+      away.reserve(steady.size());
       for (auto const& each : steady) away.push_back(away_from_circle(each.u, each.v));
       double const allowed = std::max(on_circle * circle_.radius, 2 * motion::median(away));
       std::vector<Sample> closer;

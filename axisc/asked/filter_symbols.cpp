@@ -53,8 +53,9 @@ std::string_view mode_word(machine::StageMode mode) {
 }
 
 std::string filter_path(image::ImageFilter const& filter, bool interface) {
-  if (interface && filter.index == machine::interface_filter_time)
+  if (interface && filter.index == machine::interface_filter_time) {
     return "kenngr.in_add_interface_filter_time";
+  }
   return (interface ? "lr_param.add_interface.filter[" : "filter[") + std::to_string(filter.index) + "]";
 }
 

@@ -41,8 +41,9 @@ namespace {
 /// Only claims of the axes that are asked for are shown; those of all decide.
 Words conclusion(image::CheckedBounds const& checked) {
   if (!checked.is_in_image) return says::not_in_image;
-  if (checked.failures() > 0)
+  if (checked.failures() > 0) {
     return {says::not_true, {{"failures", exact(static_cast<double>(checked.failures()))}}};
+  }
   return {says::verified, {{"records", exact(static_cast<double>(checked.records.size()))}}};
 }
 

@@ -31,8 +31,9 @@ namespace {
 
 void interface_filter_time_fits(AxisContext const& axis, Report& report) {
   EffectiveValue const& time = axis.values.at(interface_filter_time_name);
-  if (time.unusable || !(time.value.number > 0) || !axis.values.at("lr_param.add_interface.enable").is_on())
+  if (time.unusable || !(time.value.number > 0) || !axis.values.at("lr_param.add_interface.enable").is_on()) {
     return;
+  }
   auto const other = std::find_if(axis.filters.begin(), axis.filters.end(), [](FilterView const& filter) {
     return filter.port == FilterPort::additional_interface && filter.active();
   });
