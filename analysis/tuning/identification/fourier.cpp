@@ -1,6 +1,7 @@
 #include "analysis/tuning/identification/fourier.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -40,8 +41,9 @@ void by_chirp(std::vector<Complex>& values) {
   std::vector<Complex> chirp(count);
   for (std::size_t n = 0; n < count; ++n) {
     // e^(jπ n²/N) has the period 2N in n²: small angles keep their digits.
-    auto const square = static_cast<double>(n * n % (2 * count));
-    chirp[n] = std::polar(1.0, std::numbers::pi * square / static_cast<double>(count));
+    auto const length = static_cast<double>(count);
+    double const square = std::fmod(static_cast<double>(n) * static_cast<double>(n), 2 * length);
+    chirp[n] = std::polar(1.0, std::numbers::pi * square / length);
   }
   std::vector<Complex> signal(size), kernel(size);
   for (std::size_t n = 0; n < count; ++n) {

@@ -121,7 +121,7 @@ void thin_out(std::vector<SteadySignal>& signals) {
   std::stable_sort(signals.begin(), signals.end(),
                    [](auto const& left, auto const& right) { return left.speed < right.speed; });
   std::vector<SteadySignal> kept;
-  for (std::size_t i = 0; i < signals.size(); i += every) kept.push_back(std::move(signals[i]));
+  for (std::size_t i = 0; i < signals.size(); i += every) kept.push_back(signals[i]);
   signals = std::move(kept);
 }
 
@@ -148,6 +148,7 @@ std::vector<FoundMode> modes_of(SpectralLines const& lines) {
                    [](SpectralLine const& a, SpectralLine const& b) { return a.amplitude > b.amplitude; });
   if (constant.size() > most_peaks) constant.resize(most_peaks);
   std::vector<FoundMode> modes;
+  modes.reserve(constant.size());
   for (auto const& line : constant) {
     modes.push_back({.frequency = line.frequency,
                      .frequency_uncertainty = line.frequency_uncertainty,
