@@ -177,6 +177,7 @@ std::vector<double> starts(Windows const& windows, Decays const& decays, double 
   std::sort(tops.begin(), tops.end(), [&](std::size_t a, std::size_t b) { return power[a] > power[b]; });
   if (tops.size() > most_starts) tops.resize(most_starts);
   std::vector<double> frequencies;
+  frequencies.reserve(tops.size());
   for (auto const top : tops) frequencies.push_back(static_cast<double>(top) * step);
   return frequencies;
 }
