@@ -22,14 +22,18 @@ namespace axisc::motion {
   return *middle;
 }
 
-/// √(Σ (x - x̄)² / (n - 1) / n); 0 for a single value.
-[[nodiscard]] inline double standard_error(std::span<double const> values) {
-  auto const n = static_cast<double>(values.size());
-  if (values.size() < 2) return 0;
+/// Σ (x - x̄)² / n. Of one value at least.
+[[nodiscard]] inline double variance(std::span<double const> values) {
   double const middle = mean(values);
   double sum = 0;
   for (double const value : values) sum += (value - middle) * (value - middle);
-  return std::sqrt(sum / (n - 1) / n);
+  return sum / static_cast<double>(values.size());
+}
+
+/// √(Σ (x - x̄)² / (n - 1) / n); 0 for a single value.
+[[nodiscard]] inline double standard_error(std::span<double const> values) {
+  if (values.size() < 2) return 0;
+  return std::sqrt(variance(values) / static_cast<double>(values.size() - 1));
 }
 
 }  // namespace axisc::motion

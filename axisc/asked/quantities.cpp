@@ -83,6 +83,12 @@ std::optional<design::CycleTime> parse_cycle_time(std::string_view text) {
   return design::CycleTime{static_cast<std::uint32_t>(whole)};
 }
 
+std::optional<Assigned> parse_assigned(std::string const& text) {
+  auto const sign = text.find('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) return std::nullopt;
+  return Assigned{.name = text.substr(0, sign), .value = text.substr(sign + 1)};
+}
+
 std::vector<std::string> split_list(std::string_view text, char separator) {
   std::vector<std::string> parts;
   while (!text.empty()) {

@@ -35,4 +35,10 @@ namespace axisc {
 /// "a,b,c" without blanks around the parts; empty parts are left out.
 [[nodiscard]] std::vector<std::string> split_list(std::string_view text, char separator = ',');
 
+/// "NAME" and "VALUE" of "NAME=VALUE"; none where one of them is empty.
+struct Assigned {
+  std::string name, value;
+};
+[[nodiscard]] std::optional<Assigned> parse_assigned(std::string const& text);
+
 }  // namespace axisc

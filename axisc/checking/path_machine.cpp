@@ -61,18 +61,30 @@ std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded, 
   return found;
 }
 
+RequestedMachine::RequestedMachine(Workspace& workspace, MachineRequest const& request,
+                                   ErrorSink const& errors) {
+  auto belonging = machine_of_input(workspace, request);
+  path = std::move(belonging.machine);
+  input = std::move(belonging.name);
+  checked = check_machine(workspace, path, errors, sources, loaded);
+  if (checked) require_cycle_time(path, *checked);
+}
+
+std::optional<std::size_t> RequestedMachine::axis(std::optional<std::string> const& name) const {
+  if (name) return axis_named(*checked->machine, *name);
+  if (checked->machine->axes.size() == 1) return 0;
+  return axis_of_list(*loaded, sources, input);
+}
+
 std::optional<CheckedMachine> checked_machine(Workspace& workspace, MachineRequest const& request,
                                               ErrorSink const& errors) {
-  auto const [path, list] = machine_of_input(workspace, request);
-  SourceSet sources;
-  std::optional<validator::LoadedMachine> loaded;
-  auto result = check_machine(workspace, path, errors, sources, loaded);
-  if (!result) return std::nullopt;
-  require_cycle_time(path, *result);
-  add_settings_files(workspace.settings(), path, result->files);
-  CheckedMachine checked{.machine = *std::move(result->machine), .files = std::move(result->files)};
-  if (path == list) return checked;
-  auto const axis = axis_of_list(*loaded, sources, list);
+  RequestedMachine requested(workspace, request, errors);
+  if (!requested.checked) return std::nullopt;
+  auto& result = *requested.checked;
+  add_settings_files(workspace.settings(), requested.path, result.files);
+  CheckedMachine checked{.machine = *std::move(result.machine), .files = std::move(result.files)};
+  if (requested.path == requested.input) return checked;
+  auto const axis = axis_of_list(*requested.loaded, requested.sources, requested.input);
   if (!axis) return checked;
   checked.axis = checked.machine.axes[*axis].name;
   for (auto const& group : checked.machine.groups) {

@@ -39,9 +39,25 @@ struct MachineRequest {
 [[nodiscard]] std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded,
                                                       SourceSet const& sources, std::string const& list);
 
+/// The machine of a request, checked, with what was read: `loaded` refers to `sources`.
+struct RequestedMachine {
+  /// Failure for an unreadable file and for an unknown NC cycle time.
+  RequestedMachine(Workspace& workspace, MachineRequest const& request, ErrorSink const& errors);
+  RequestedMachine(RequestedMachine const&) = delete;
+  RequestedMachine& operator=(RequestedMachine const&) = delete;
+
+  /// That of the name, without one that of the list, or the only one; none where it is not clear.
+  [[nodiscard]] std::optional<std::size_t> axis(std::optional<std::string> const& name) const;
+
+  std::string path;
+  std::string input;  ///< the list, where the request is one in its machine
+  SourceSet sources;
+  std::optional<validator::LoadedMachine> loaded;
+  std::optional<validator::CheckResult> checked;  ///< with a machine; none after errors
+};
+
 /// Checks a list, a machine file, a start-up list, or the only machine in a folder; a list is judged in its
-/// machine. After errors nothing is returned. Failure for an unreadable file and for an unknown NC cycle
-/// time.
+/// machine. After errors nothing is returned. Failure as above.
 [[nodiscard]] std::optional<CheckedMachine> checked_machine(Workspace& workspace,
                                                             MachineRequest const& request,
                                                             ErrorSink const& errors);

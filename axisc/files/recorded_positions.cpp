@@ -1,5 +1,6 @@
 #include "axisc/files/recorded_positions.hpp"
 
+#include "axisc/asked/quantities.hpp"
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "diagnostics/ascii.hpp"
@@ -28,11 +29,9 @@ namespace axisc {
 std::vector<AxisColumn> axis_columns(std::string const& option, std::vector<std::string> const& texts) {
   std::vector<AxisColumn> columns;
   for (auto const& text : texts) {
-    auto const sign = text.find('=');
-    if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
-      throw Failure({says::column_of_axis, {{"option", option}, {"text", text}}});
-    }
-    columns.push_back({.axis = text.substr(0, sign), .column = text.substr(sign + 1)});
+    auto const assigned = parse_assigned(text);
+    if (!assigned) throw Failure({says::column_of_axis, {{"option", option}, {"text", text}}});
+    columns.push_back({.axis = assigned->name, .column = assigned->value});
   }
   return columns;
 }

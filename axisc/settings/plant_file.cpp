@@ -126,12 +126,6 @@ bool is_in_range(double number, JsonShape const& shape) {
   return is_low && number <= shape.highest;
 }
 
-PlantValue const* find_value(std::vector<PlantValue> const& values, std::string_view key) {
-  auto const found =
-      std::find_if(values.begin(), values.end(), [key](PlantValue const& one) { return one.key == key; });
-  return found == values.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 constexpr JsonShape plant_file_shape{.kind = Kind::object, .title = "Plant file of axisc", .keys = file_keys};
@@ -151,6 +145,12 @@ motion::PlantParameters read_plant(std::string const& path, std::string const& a
     return parameters;
   }
   file.refuse(plants.span, says::axis, {{"axis", axis}});
+}
+
+PlantValue const* find_plant_value(std::vector<PlantValue> const& values, std::string_view key) {
+  auto const found =
+      std::find_if(values.begin(), values.end(), [key](PlantValue const& one) { return one.key == key; });
+  return found == values.end() ? nullptr : &*found;
 }
 
 void check_plant_value(PlantValue const& value) {
@@ -179,7 +179,7 @@ std::vector<std::string> missing_plant_keys(std::vector<PlantValue> const& value
   std::vector<std::string> missing;
   for (auto const& key : plant_keys) {
     bool const is_missing =
-        is_figure(key) && key.presence == required && find_value(values, key.name) == nullptr;
+        is_figure(key) && key.presence == required && find_plant_value(values, key.name) == nullptr;
     if (is_missing) missing.emplace_back(key.name);
   }
   return missing;
@@ -196,7 +196,7 @@ std::string plant_text(std::string const& axis, std::string const& comment,
   json.member("name", axis);
   json.member("comment", comment);
   for (auto const& key : plant_keys) {
-    auto const* const value = is_figure(key) ? find_value(values, key.name) : nullptr;
+    auto const* const value = is_figure(key) ? find_plant_value(values, key.name) : nullptr;
     if (value == nullptr) continue;
     json.key(key.name);
     if (key.shape->words.empty()) {

@@ -21,8 +21,10 @@ struct PlantValue {
   std::string key, value;
 };
 
-/// Failure for a key that a plant does not have, and for a value that the key cannot
-/// have.
+/// Null where it is not among them.
+[[nodiscard]] PlantValue const* find_plant_value(std::vector<PlantValue> const& values, std::string_view key);
+
+/// Failure for a key that a plant does not have, and for a value that the key cannot have.
 void check_plant_value(PlantValue const& value);
 
 /// Keys that a plant must have, and these do not; "name" is not counted.

@@ -11,8 +11,7 @@ namespace axisc::cli::says {
 
 constexpr Sentence part_of_machine{
     "{file} is part of {machine}: compile that; an axis list by itself, without the default list and NC "
-    "cycle "
-    "time of its machine, needs --alone",
+    "cycle time of its machine, needs --alone",
     "{file} gehört zu {machine}: diese kompilieren; eine Achsliste für sich, ohne Standardliste und "
     "NC-Zykluszeit ihrer Maschine, braucht --alone"};
 

@@ -38,10 +38,10 @@ void by_halves(std::vector<Complex>& values) {
 void by_chirp(std::vector<Complex>& values) {
   std::size_t const count = values.size();
   std::size_t const size = std::bit_ceil(2 * count);
+  auto const length = static_cast<double>(count);
   std::vector<Complex> chirp(count);
   for (std::size_t n = 0; n < count; ++n) {
     // e^(jπ n²/N) has the period 2N in n²: small angles keep their digits.
-    auto const length = static_cast<double>(count);
     double const square = std::fmod(static_cast<double>(n) * static_cast<double>(n), 2 * length);
     chirp[n] = std::polar(1.0, std::numbers::pi * square / length);
   }

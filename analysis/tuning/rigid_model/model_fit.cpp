@@ -21,13 +21,6 @@ double dot(ModelValues const& row, ModelValues const& values) {
   return sum;
 }
 
-double variance(std::vector<double> const& values) {
-  double const mean = motion::mean(values);
-  double sum = 0;
-  for (double const value : values) sum += (value - mean) * (value - mean);
-  return sum / static_cast<double>(values.size());
-}
-
 /// Where a friction would be negative it is 0.
 std::optional<ModelValues> solve(Sums const& sums, ModelForm form) {
   auto const without = [&](std::initializer_list<Term::Index> terms) {
@@ -71,11 +64,11 @@ class Fitter {
     found.values = unscaled(best_.values);
     auto const blocks = block_sums();
     found.half_widths = unscaled(half_widths(blocks));
-    double const force_variance = variance(best_.forces);
+    double const force_variance = motion::variance(best_.forces);
     found.explained = std::min(explained(0), explained(1));
     std::vector<double> accelerating;
     for (auto const& one : motion_) accelerating.push_back(found.values[Term::mass] * one.acceleration);
-    if (force_variance > 0) found.accelerating = std::sqrt(variance(accelerating) / force_variance);
+    if (force_variance > 0) found.accelerating = std::sqrt(motion::variance(accelerating) / force_variance);
     return found;
   }
 
@@ -110,7 +103,7 @@ class Fitter {
     for (auto const& one : motion_) {
       trial.forces.push_back(window_force(records_[one.record], one.first, dead_time, window_));
     }
-    double const smallest = 1e-9 * std::sqrt(variance(trial.forces));
+    double const smallest = 1e-9 * std::sqrt(motion::variance(trial.forces));
     for (int i = 0; i < iterations; ++i) {
       Sums sums;
       for (std::size_t k = 0; k < rows_.size(); ++k) add(sums, trial, k);
@@ -185,7 +178,7 @@ class Fitter {
       left += residual * residual;
       forces.push_back(best_.forces[k]);
     }
-    double const whole = variance(forces) * static_cast<double>(forces.size());
+    double const whole = motion::variance(forces) * static_cast<double>(forces.size());
     return whole > 0 ? 1 - left / whole : 0;
   }
 

@@ -107,10 +107,7 @@ double noise_share(std::span<MotionRecord const> records, std::span<double const
     }
   }
   if (measured.empty()) return 1;
-  double const mean = motion::mean(measured);
-  double variance = 0;
-  for (double const value : measured) variance += (value - mean) * (value - mean);
-  variance /= static_cast<double>(measured.size());
+  double const variance = motion::variance(measured);
   if (!(variance > 0)) return 1;
   double const gain = std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
   return noise * noise * gain / variance;

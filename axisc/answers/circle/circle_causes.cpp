@@ -20,8 +20,7 @@ constexpr Sentence filters_shrink{
     "von {axis}: Vorschub verringern oder diesen Filter in beiden Achsen kürzen"};
 constexpr Sentence radius_rest{
     "the radius is off by {size}, of which the filters explain {filters}; the rest comes from the drives: "
-    "check "
-    "feedforward and Kv of both axes, and the measuring systems",
+    "check feedforward and Kv of both axes, and the measuring systems",
     "der Radius weicht um {size} ab, davon erklären die Filter {filters}; der Rest kommt von den Antrieben: "
     "Vorsteuerung und Kv beider Achsen und die Messsysteme prüfen"};
 constexpr Sentence radius_after_filters{
@@ -38,8 +37,7 @@ constexpr Sentence gain_recorded{
     "Messsysteme und die Vorsteuerung prüfen"};
 constexpr Sentence filters_delay{
     "{late} arrives {time} later than {early} (AX4011), which bends the circle by {size} at ±45°, turned "
-    "with the "
-    "direction: use the same filters in both axes, or a time delay (`filter_fir.type 4`) in {early}",
+    "with the direction: use the same filters in both axes, or a time delay (`filter_fir.type 4`) in {early}",
     "{late} kommt {time} später an als {early} (AX4011), das biegt den Kreis um {size} unter ±45°, mit der "
     "Richtung gedreht: in beiden Achsen dieselben Filter verwenden oder eine Zeitverzögerung "
     "(`filter_fir.type 4`) in {early}"};
@@ -54,8 +52,7 @@ constexpr Sentence delay_after_filters{
     "after the filters, {late} arrives {time} later than {early}, which bends the circle by {size} at ±45°, "
     "turned with the direction: check Kv, feedforward and filters of the drives",
     "nach den Filtern kommt {late} {time} später an als {early}, das biegt den Kreis um {size} unter ±45°, "
-    "mit "
-    "der Richtung gedreht: Kv, Vorsteuerung und Filter der Antriebe prüfen"};
+    "mit der Richtung gedreht: Kv, Vorsteuerung und Filter der Antriebe prüfen"};
 constexpr Sentence not_square{
     "the axes are not square by {angle} µm/m: align them, or compensate the cross talk",
     "die Achsen stehen um {angle} µm/m nicht rechtwinklig: ausrichten oder den Übersprechfehler "

@@ -52,11 +52,9 @@ constexpr Sentence other_centre{
     "oder beide Kreise an einem Ort"};
 constexpr Sentence other_radius_given{
     "{file}: a circle of {found} mm was recorded, which is not the {given} mm of --radius; check the radius "
-    "and "
-    "the columns",
+    "and the columns",
     "{file}: aufgezeichnet ist ein Kreis von {found} mm, nicht von {given} mm wie --radius; den Radius und "
-    "die "
-    "Spalten prüfen"};
+    "die Spalten prüfen"};
 constexpr Sentence only_one_has_setpoints{
     "{file}: one recording has setpoints, the other has none; record both alike",
     "{file}: Eine Aufzeichnung hat Sollwerte, die andere keine; beide gleich aufzeichnen"};

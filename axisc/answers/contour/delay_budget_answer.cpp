@@ -2,8 +2,6 @@
 
 #include "axisc/answers/contour/delay_words.hpp"
 #include "axisc/answers/labels.hpp"
-#include "axisc/checking/compilable.hpp"
-#include "axisc/checking/machine_input.hpp"
 #include "design/units.hpp"
 #include "validator/views/delay_budget.hpp"
 #include "validator/views/drive.hpp"
@@ -271,15 +269,12 @@ Section delay_budget_section(validator::LoadedMachine const& machine, SourceSet 
 
 std::optional<Document> delay_budget_answer(Workspace& workspace, DelayBudgetQuestion const& question,
                                             ErrorSink const& errors) {
-  auto const path = machine_of_input(workspace, question.machine).machine;
-  SourceSet sources;
-  std::optional<validator::LoadedMachine> loaded;
-  auto const checked = check_machine(workspace, path, errors, sources, loaded);
-  if (!checked) return std::nullopt;
-  require_cycle_time(path, *checked);
+  RequestedMachine const requested(workspace, question.machine, errors);
+  if (!requested.checked) return std::nullopt;
+  auto const& loaded = *requested.loaded;
   Document document{.version = 2, .title = says::budget, .blocks = {}, .csv_table = "items"};
-  document.blocks.emplace_back(Facts{{data("cycle_time_us", exact(loaded->cycle_time->microseconds()))}});
-  document.blocks.emplace_back(delay_budget_section(*loaded, sources, question.feed));
+  document.blocks.emplace_back(Facts{{data("cycle_time_us", exact(loaded.cycle_time->microseconds()))}});
+  document.blocks.emplace_back(delay_budget_section(loaded, requested.sources, question.feed));
   return document;
 }
 

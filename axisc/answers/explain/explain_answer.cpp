@@ -15,11 +15,9 @@ namespace axisc::says {
 constexpr Sentence rules{"Rules", "Regeln"};
 constexpr Sentence origin{
     "Every code that axisc reports, as printed by `axisc explain --all`: first by what is seen at the "
-    "machine, "
-    "by parameter, by message of the control and by code, then the page of each.",
+    "machine, by parameter, by message of the control and by code, then the page of each.",
     "Alle Codes, die axisc meldet, wie `axisc explain --all --lang de` sie ausgibt: zuerst nach dem, was an "
-    "der "
-    "Maschine zu sehen ist, nach Parameter, nach Meldung der Steuerung und nach Code, dann die Seite zu "
+    "der Maschine zu sehen ist, nach Parameter, nach Meldung der Steuerung und nach Code, dann die Seite zu "
     "jedem."};
 constexpr Sentence hits{"Found for \"{word}\"", "Gefunden zu „{word}“"};
 constexpr Sentence more{"More with \"{word}\" in the name:", "Weitere mit „{word}“ im Namen:"};

@@ -1,7 +1,6 @@
 #include "axisc/answers/identify/identified_axis.hpp"
 
 #include "axisc/answers/identify/model_refusal.hpp"
-#include "axisc/checking/compilable.hpp"
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "diagnostics/format_number.hpp"
@@ -33,16 +32,6 @@ namespace axisc {
 
 namespace {
 
-std::size_t asked_axis(IdentifyQuestion const& question, machine::Machine const& machine,
-                       validator::LoadedMachine const& loaded, SourceSet const& sources,
-                       std::string const& list) {
-  if (question.axis) return axis_named(machine, *question.axis);
-  if (machine.axes.size() == 1) return 0;
-  auto const axis = axis_of_list(loaded, sources, list);
-  if (!axis) throw Failure({says::which_axis});
-  return *axis;
-}
-
 /// None where no list says it, and where the drive controls the position.
 std::optional<double> kv_of(validator::LoadedAxis const& axis) {
   constexpr double unit = 0.01;  // 1/s, of P-AXIS-00099
@@ -72,15 +61,13 @@ void refuse_other(MotionSignals const& own, std::string const& file, IdentifiedA
 std::optional<IdentifiedAxis> identified_axis(Workspace& workspace, IdentifyQuestion const& question,
                                               ErrorSink const& errors) {
   if (question.recordings.empty()) throw Failure({says::needs_recording});
-  auto const [path, list] = machine_of_input(workspace, question.machine);
-  SourceSet sources;
-  std::optional<validator::LoadedMachine> loaded;
-  auto const checked = check_machine(workspace, path, errors, sources, loaded);
-  if (!checked) return std::nullopt;
-  require_cycle_time(path, *checked);
-  auto const& machine = *checked->machine;
-  auto const axis = asked_axis(question, machine, *loaded, sources, list);
-  auto const image = image_of(machine, path);
+  RequestedMachine const requested(workspace, question.machine, errors);
+  if (!requested.checked) return std::nullopt;
+  auto const& machine = *requested.checked->machine;
+  auto const asked = requested.axis(question.axis);
+  if (!asked) throw Failure({says::which_axis});
+  auto const axis = *asked;
+  auto const image = image_of(machine, requested.path);
   constexpr double microseconds = 1000;
   bool const in_machine = machine.axes.size() > 1 || names_machine(question.machine.input);
   MovedAxis const moved{.place = axis_place(machine, axis, in_machine),
@@ -91,8 +78,8 @@ std::optional<IdentifiedAxis> identified_axis(Workspace& workspace, IdentifyQues
                        .force = {},
                        .model = {},
                        .mapping = {},
-                       .kv = kv_of(loaded->axes[axis]),
-                       .files = checked->files};
+                       .kv = kv_of(requested.loaded->axes[axis]),
+                       .files = requested.checked->files};
   auto const& files = question.recordings;
   std::vector<tuning::MotionRecord> records;
   for (auto const& file : files) {

@@ -21,8 +21,7 @@ constexpr Sentence not_in_kilograms{
     "aufzeichnen"};
 constexpr Sentence no_unit{
     "nothing names the unit of the position, so that the mass may be wrong by orders of magnitude; say it "
-    "with "
-    "--unit",
+    "with --unit",
     "nichts nennt die Einheit der Position, sodass die Masse um Größenordnungen falsch sein kann; mit --unit "
     "angeben"};
 constexpr Sentence too_heavy{
@@ -35,8 +34,7 @@ constexpr Sentence other_mass{
     "weglassen, dann ist sie der Rest"};
 constexpr Sentence missing{
     "a plant file of axis {axis} also needs {missing}: add --known KEY=VALUE for each, from data sheets; "
-    "known "
-    "are {known}, and motor and load together {mass} ± {uncertainty} kg",
+    "known are {known}, and motor and load together {mass} ± {uncertainty} kg",
     "einer Streckendatei der Achse {axis} fehlen {missing}: je --known SCHLÜSSEL=WERT angeben, aus "
     "Datenblättern; bekannt sind {known} und Motor und Last zusammen {mass} ± {uncertainty} kg"};
 
@@ -51,9 +49,8 @@ constexpr std::string_view motor_key = "motor_mass_kg", load_key = "load_mass_kg
 constexpr int digits = 4;
 
 std::optional<double> number_of(std::vector<PlantValue> const& values, std::string_view key) {
-  auto const found =
-      std::find_if(values.begin(), values.end(), [key](PlantValue const& one) { return one.key == key; });
-  return found == values.end() ? std::nullopt : parse_finite(found->value);
+  auto const* const found = find_plant_value(values, key);
+  return found == nullptr ? std::nullopt : parse_finite(found->value);
 }
 
 /// Adds the mass that is not known.
@@ -87,11 +84,9 @@ void add_rest(std::vector<PlantValue>& values, tuning::Estimate const& mass) {
 }  // namespace
 
 PlantValue read_plant_value(std::string const& text) {
-  auto const sign = text.find('=');
-  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
-    throw Failure({says::not_known, {{"text", text}}});
-  }
-  PlantValue value{.key = text.substr(0, sign), .value = text.substr(sign + 1)};
+  auto const assigned = parse_assigned(text);
+  if (!assigned) throw Failure({says::not_known, {{"text", text}}});
+  PlantValue value{.key = assigned->name, .value = assigned->value};
   check_plant_value(value);
   return value;
 }

@@ -28,16 +28,15 @@ constexpr Sentence too_uncertain{"uncertain by {share} %, {most} % are allowed",
                                  "um {share} % unsicher, erlaubt sind {most} %"};
 constexpr Sentence windows{
     "{windows} windows of {length} in which the axis moves one way; {accelerating} of the varying force "
-    "accelerates, and what was found in one half explains {explained} of the force in the other",
+    "accelerates, and what every other window shows explains {explained} of the force between them",
     "{windows} Fenster von {length}, in denen die Achse in einer Richtung fährt; {accelerating} der "
-    "veränderlichen Kraft beschleunigen, und das in einer Hälfte Gefundene erklärt {explained} der Kraft in "
-    "der anderen"};
+    "veränderlichen Kraft beschleunigen, und was jedes zweite Fenster zeigt, erklärt {explained} der Kraft "
+    "dazwischen"};
 constexpr Sentence dead_time{"the force comes {time} after the motion in the recording",
                              "die Kraft kommt in der Aufzeichnung {time} nach der Bewegung"};
 constexpr Sentence guessed_unit{
     "nothing names the unit of the position: whole numbers count as 0.1 µm or 0.0001°, others as mm or "
-    "degrees; "
-    "--unit says it",
+    "degrees; --unit says it",
     "nichts nennt die Einheit der Position: ganze Zahlen gelten als 0,1 µm oder 0,0001°, andere als mm oder "
     "Grad; --unit gibt sie an"};
 constexpr Sentence unknown_force{"F is the force as it was recorded: nothing names its unit",
@@ -84,9 +83,9 @@ struct EstimateRow {
 Table estimates_table(IdentifiedAxis const& found) {
   auto const& model = found.model;
   auto const units = model_units(found.force, found.is_rotary, "F");
-  bool const is_inertia = found.is_rotary;
   EstimateRow const rows[] = {
-      {"mass", is_inertia ? SentenceRef(says::inertia) : SentenceRef(says::mass), model.mass, units.mass},
+      {"mass", found.is_rotary ? SentenceRef(says::inertia) : SentenceRef(says::mass), model.mass,
+       units.mass},
       {"coulomb_friction", says::coulomb, model.coulomb, units.force, model.has_coulomb(),
        why_not(model.coulomb, tuning::largest_coulomb_uncertainty)},
       {"viscous_friction", says::viscous, model.viscous, units.viscous, model.has_viscous(),

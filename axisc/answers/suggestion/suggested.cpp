@@ -3,7 +3,6 @@
 #include "axisc/answers/execution/group_chains.hpp"
 #include "axisc/answers/execution/path_dynamics.hpp"
 #include "axisc/answers/suggestion/resonance_words.hpp"
-#include "axisc/checking/compilable.hpp"
 #include "axisc/environment/failure.hpp"
 #include "design/units.hpp"
 #include "diagnostics/format_number.hpp"
@@ -119,27 +118,23 @@ std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& qu
   auto const& [in, out] = question.columns;
   if (question.resonances.has_value() != question.measured.empty()) throw refuse(says::one_source);
   if (question.measured.empty() && (in || out)) throw refuse(says::of_measured);
-  auto const [path, list] = machine_of_input(workspace, question.machine);
-  SourceSet sources;
-  std::optional<validator::LoadedMachine> loaded;
-  auto const checked = check_machine(workspace, path, errors, sources, loaded);
-  if (!checked) return std::nullopt;
-  require_cycle_time(path, *checked);
-  auto const& machine = *checked->machine;
-  auto const axis =
-      question.axis ? axis_named(machine, *question.axis) : axis_of_list(*loaded, sources, list);
+  RequestedMachine const requested(workspace, question.machine, errors);
+  if (!requested.checked) return std::nullopt;
+  auto const& machine = *requested.checked->machine;
+  auto const axis = requested.axis(question.axis);
   if (!axis) throw refuse(says::which_axis);
   auto const channel = channel_of_axis(machine, *axis);
   if (!channel) throw Failure({says::no_channel, {{"axis", machine.axes[*axis].name}}});
-  SuggestionSubject const subject{.path = path,
+  SuggestionSubject const subject{.path = requested.path,
                                   .workspace = workspace,
-                                  .loaded = *loaded,
-                                  .sources = sources,
+                                  .loaded = *requested.loaded,
+                                  .sources = requested.sources,
                                   .machine = machine,
                                   .group = *channel,
                                   .axis = *axis};
-  Suggested found{
-      .axis = machine.axes[*axis].name, .group = machine.groups[subject.group].name, .files = checked->files};
+  Suggested found{.axis = machine.axes[*axis].name,
+                  .group = machine.groups[subject.group].name,
+                  .files = requested.checked->files};
   found.files.insert(found.files.end(), question.measured.begin(), question.measured.end());
   if (question.plant) found.files.push_back(*question.plant);
   std::optional<MeasuredResonances> measured;

@@ -8,8 +8,7 @@ namespace axisc::validator::says {
 constexpr Sentence unused{
     "this list sets the Vibration Guard, but neither the list nor a program of the machine switches it on",
     "diese Liste stellt den Vibration Guard ein, aber weder die Liste noch ein Programm der Maschine "
-    "schaltet ihn "
-    "ein"};
+    "schaltet ihn ein"};
 constexpr Sentence switch_on{
     "`vib_guard.active 1` switches it on, `#VIB GUARD ON` for all axes of the channel",
     "`vib_guard.active 1` schaltet ihn ein, `#VIB GUARD ON` für alle Achsen des Kanals"};
