@@ -39,6 +39,8 @@ uint32_t axisc_abi_version(void);
 typedef enum axisc_result {
   AXISC_OK = 0,
   AXISC_FINDINGS = 1,      /* lists have errors: findings are there, an image or an answer is not */
+  AXISC_ENDED = 2,         /* of axisc_message(): the client has said exit after shutdown */
+  AXISC_BROKEN_OFF = 3,    /* of axisc_message(): it has said exit without shutdown */
   AXISC_BAD_ARGUMENT = -1, /* null, an unknown number, JSON or a question that is none */
   AXISC_NOT_FOUND = -2,    /* the file or folder that the call is about does not exist */
   AXISC_UNUSABLE = -3,     /* a file, a setting or a word of the question cannot be used */
@@ -68,9 +70,10 @@ typedef struct axisc_files {
   int (*list)(void* context, char const* folder, axisc_bytes* names);
 } axisc_files;
 
-/* `options`: a JSON object, {"language": "en" or "de", "cycle_time": "2ms" where no file says one}, both
- * optional; or null. `files`: null for the disk; copied. After a result below 0 the workspace, if it is not
- * null, only tells why, and must be closed as well. */
+/* `options`: a JSON object, or null. All are optional: "language" ("en" or "de"); "cycle_time" ("2ms") where
+ * no file says one, "override_cycle_time" whatever files say; "axis_type", "kind" and "build" as of
+ * `axisc lint`. `files`: null for the disk; copied. After a result below 0 the workspace, if it is not null,
+ * only tells why, and must be closed as well. */
 int axisc_open(char const* options, axisc_files const* files, axisc_workspace** workspace);
 /* Null is allowed. */
 void axisc_close(axisc_workspace* workspace);
@@ -135,7 +138,7 @@ int axisc_answer(axisc_workspace* workspace, char const* question, axisc_bytes* 
 
 /* Language server protocol: a JSON array of messages that arrived together, as texts; becomes the array of
  * the messages to send, diagnostics of what has changed included. Open documents are those of the messages,
- * all other files those of the disk. */
+ * all other files those of the disk. After AXISC_ENDED or AXISC_BROKEN_OFF nothing is answered any more. */
 int axisc_message(axisc_workspace* workspace, char const* messages, axisc_bytes* replies);
 
 /* Ends the present call, if there is one, before it reads its next file. From any thread, while the workspace

@@ -220,9 +220,9 @@ std::size_t LookAhead::untouched_blocks() const {
   return std::min(count, blocks_.size() - 1);
 }
 
-/// Across the ends of blocks. What follows the last place in the first half may still change. Where there is
-/// no place before the end, there is one in the middle.
+/// Across the ends of blocks. Where there is no place before the end, there is one in the middle.
 void LookAhead::plan_stretches(bool ends) {
+  auto const settled = blocks_.size() - std::min(blocks_.size(), hsc_ahead);
   auto parts = motion::plan_stretches(elements_, velocity_, ends);
   auto const is_early = [&](StretchPart const& part) {
     auto const& element = part.passed.element;
@@ -243,7 +243,7 @@ void LookAhead::plan_stretches(bool ends) {
     auto const& element = part.passed.element;
     if (!part.is_place || !element.ends_block) continue;
     pieces_.back().is_place = true;
-    if (!is_early(part) || (place > 0 && element.block >= blocks_.size() / 2)) continue;
+    if (!is_early(part) || (place > 0 && element.block >= settled)) continue;
     place = element.block + 1;
     pieces = pieces_.size();
   }

@@ -173,7 +173,7 @@ void LookAhead::plan_across(bool stops) {
     count = place == pieces_.end() ? motions_.size() : place->block + 1;
   }
   hand_on(count, count == blocks_.size());
-  full_ = blocks_.size() + hsc_window / 2;
+  full_ = blocks_.size() + hsc_window - hsc_ahead;
 }
 
 void LookAhead::hand_on(std::size_t count, bool stops) {

@@ -4,6 +4,7 @@
 #include "axisc/checking/machine_input.hpp"
 #include "axisc/workspace/inputs.hpp"
 #include "codegen/image_writer.hpp"
+#include "diagnostics/joined.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace axisc::says {
 
 constexpr Sentence unusable_command{"the command \"{value}\" cannot be used: {reason}",
                                     "der Befehl \"{value}\" ist nicht verwendbar: {reason}"};
+constexpr Sentence which_axis{"{file} has the axes {axes}: name one with --axis",
+                              "{file} hat die Achsen {axes}: eine davon mit --axis nennen"};
 constexpr Sentence no_path_axes{"{file} has no group of axes that could move on a path",
                                 "{file} hat keine Gruppe von Achsen, die eine Bahn fahren könnten"};
 constexpr Sentence too_many_axes{"group {group} has {axes} axes; a path has at most {limit}",
@@ -70,10 +73,14 @@ RequestedMachine::RequestedMachine(Workspace& workspace, MachineRequest const& r
   if (checked) require_cycle_time(path, *checked);
 }
 
-std::optional<std::size_t> RequestedMachine::axis(std::optional<std::string> const& name) const {
+std::size_t RequestedMachine::axis(std::optional<std::string> const& name) const {
+  auto const& axes = checked->machine->axes;
   if (name) return axis_named(*checked->machine, *name);
-  if (checked->machine->axes.size() == 1) return 0;
-  return axis_of_list(*loaded, sources, input);
+  if (axes.size() == 1) return 0;
+  if (auto const of_list = axis_of_list(*loaded, sources, input)) return *of_list;
+  std::vector<std::string> names;
+  for (auto const& one : axes) names.push_back(one.name);
+  throw Failure({says::which_axis, {{"file", path}, {"axes", joined(names)}}});
 }
 
 std::optional<CheckedMachine> checked_machine(Workspace& workspace, MachineRequest const& request,

@@ -46,8 +46,8 @@ struct RequestedMachine {
   RequestedMachine(RequestedMachine const&) = delete;
   RequestedMachine& operator=(RequestedMachine const&) = delete;
 
-  /// That of the name, without one that of the list, or the only one; none where it is not clear.
-  [[nodiscard]] std::optional<std::size_t> axis(std::optional<std::string> const& name) const;
+  /// That of the name, without one that of the list, or the only one. Failure where it is none of them.
+  [[nodiscard]] std::size_t axis(std::optional<std::string> const& name) const;
 
   std::string path;
   std::string input;  ///< the list, where the request is one in its machine

@@ -91,17 +91,28 @@ codegen::ImageOptions image_options(char const* json) {
   return options;
 }
 
+/// None where it is empty, too.
+std::optional<std::string> filled(Asked const& asked, std::string const& key) {
+  auto text = asked.text(key);
+  return text.empty() ? std::nullopt : std::optional(std::move(text));
+}
+
 int opened(axisc_workspace& object, char const* options, axisc_files const* files) {
   static constexpr std::array languages = {std::pair(std::string_view("en"), Language::english),
                                            std::pair(std::string_view("de"), Language::german)};
-  Asked const asked(options, "language cycle_time");
+  Asked const asked(options, "language cycle_time override_cycle_time axis_type kind build");
   object.language = asked.word("language", languages);
   if (files != nullptr) {
     require(files->size == sizeof(axisc_files) && files->reserved == 0 && files->read != nullptr);
     object.from = *files;
   }
-  if (auto const time = asked.text("cycle_time"); !time.empty()) object.cycle_time = time;
-  static_cast<void>(asked_cycle_time(object.cycle_time));
+  CheckingOptions given;
+  given.cycle_time = filled(asked, "override_cycle_time");
+  given.axis_type = filled(asked, "axis_type");
+  given.build = filled(asked, "build");
+  given.kind = filled(asked, "kind");
+  object.options = check_options(given);
+  object.options.cycle_time_otherwise = asked_cycle_time(filled(asked, "cycle_time"));
   return AXISC_OK;
 }
 
@@ -254,18 +265,17 @@ int axisc_message(axisc_workspace* workspace, char const* messages, axisc_bytes*
               [&](axisc_workspace& object, std::optional<Now>&) -> int {
                 auto const arrived = interface::asked_texts(messages);
                 auto& session = object.session;
-                if (session == nullptr) {
-                  validator::CheckOptions options;
-                  options.cycle_time_otherwise = asked_cycle_time(object.cycle_time);
-                  session = std::make_unique<editor::Session>(std::move(options), object.language);
-                }
+                if (session == nullptr)
+                  session = std::make_unique<editor::Session>(object.options, object.language);
                 std::string text = "[";
                 auto const send = [&](std::vector<std::string> const& sent) {
                   for (auto const& message : sent) text.append(text.size() > 1 ? "," : "").append(message);
                 };
                 if (!session->has_ended()) send(session->take(arrived));
                 if (!session->has_ended()) send(session->publish());
-                return give(text + "]", replies);
+                give(text + "]", replies);
+                if (!session->has_ended()) return AXISC_OK;
+                return session->ended_properly() ? AXISC_ENDED : AXISC_BROKEN_OFF;
               });
 }
 

@@ -1,6 +1,5 @@
 #include "axisc/interface/workspace_object.hpp"
 
-#include "axisc/checking/checking_options.hpp"
 #include "system/file.hpp"
 
 #include <variant>
@@ -10,9 +9,8 @@ namespace axisc::interface {
 namespace {
 
 Overrides overrides_of(axisc_workspace const& object, Wanted wanted) {
-  Overrides overrides;
+  Overrides overrides{.options = object.options};
   overrides.options.machine = wanted == Wanted::machine;
-  overrides.options.cycle_time_otherwise = asked_cycle_time(object.cycle_time);
   return overrides;
 }
 

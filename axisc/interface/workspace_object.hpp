@@ -9,12 +9,11 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
 struct axisc_workspace {
   axisc::Language language = axisc::Language::english;
-  std::optional<std::string> cycle_time;
+  axisc::validator::CheckOptions options;
   axisc_files from{};  ///< read null: the disk
   axisc::EditedBytes unsaved;
   std::unique_ptr<axisc::editor::Session> session;

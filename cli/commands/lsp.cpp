@@ -1,16 +1,20 @@
+#include "axisc/axisc.h"
 #include "axisc/environment/failure.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "editor/framing.hpp"
-#include "editor/session.hpp"
 #include "system/file.hpp"
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace axisc::cli::says {
 
@@ -25,24 +29,69 @@ constexpr Sentence no_frame{
 
 namespace axisc::cli {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_of(Json const& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// A conversation of axisc.h.
+class Conversation {
+ public:
+  Conversation(CheckingOptions const& given, Language language) {
+    Json options = {{"language", language == Language::german ? "de" : "en"}};
+    auto const set = [&options](char const* key, std::optional<std::string> const& word) {
+      if (word) options[key] = *word;
+    };
+    set("override_cycle_time", given.cycle_time);
+    set("axis_type", given.axis_type);
+    set("kind", given.kind);
+    set("build", given.build);
+    axisc_workspace* opened = nullptr;
+    status_ = axisc_open(text_of(options).c_str(), nullptr, &opened);
+    workspace_.reset(opened);
+  }
+
+  /// AXISC_OK while the conversation goes on.
+  [[nodiscard]] int status() const { return status_; }
+  [[nodiscard]] std::string error() const { return axisc_error(workspace_.get()); }
+
+  /// The messages to send.
+  std::vector<std::string> take(std::vector<std::string> const& messages) {
+    axisc_bytes replies{};
+    status_ = axisc_message(workspace_.get(), text_of(messages).c_str(), &replies);
+    std::unique_ptr<axisc_bytes, void (*)(axisc_bytes*)> const owner(&replies, axisc_free);
+    std::vector<std::string> texts;
+    if (status_ < AXISC_OK) return texts;
+    for (auto const& reply : Json::parse(replies.data, replies.data + replies.size))
+      texts.push_back(reply.dump());
+    return texts;
+  }
+
+ private:
+  std::unique_ptr<axisc_workspace, void (*)(axisc_workspace*)> workspace_{nullptr, axisc_close};
+  int status_ = AXISC_OK;
+};
+
+}  // namespace
+
 ExitStatus lsp(Invocation const& invocation) {
   CommandLine command_line("lsp", invocation.language);
   CheckingOptions given;
   declare_control(command_line, given);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  editor::Session session(check_options(given), invocation.language);
   auto const opened = system::File::standard_input();
   auto const* const input = std::get_if<system::File>(&opened);
   if (input == nullptr) return ExitStatus::failure;
-  auto const send = [&](std::vector<std::string> const& messages) {
-    for (auto const& message : messages) invocation.streams.out.write(editor::framed(message));
-  };
   constexpr std::size_t block = 65536;
   std::array<char, block> buffer{};
   constexpr std::size_t most_waiting = 1000;
   editor::FrameReader frames;
   std::vector<std::string> waiting;
-  for (bool has_input = true; has_input && !session.has_ended() && !frames.is_broken();) {
+  Conversation conversation(given, invocation.language);
+  for (bool has_input = true; has_input && conversation.status() == AXISC_OK && !frames.is_broken();) {
     auto const got = input->read(buffer);
     auto const* const size = std::get_if<std::size_t>(&got);
     has_input = size != nullptr && *size > 0;
@@ -52,14 +101,19 @@ ExitStatus lsp(Invocation const& invocation) {
     // may be cancelled already.
     bool const can_wait = has_input && !frames.is_broken() && waiting.size() < most_waiting;
     if (can_wait && input->is_ready()) continue;
-    send(session.take(std::exchange(waiting, {})));
-    if (!session.has_ended()) send(session.publish());
+    for (auto const& message : conversation.take(std::exchange(waiting, {}))) {
+      invocation.streams.out.write(editor::framed(message));
+    }
     invocation.streams.out.flush();
+  }
+  if (conversation.status() < AXISC_OK) {
+    invocation.streams.err.write(conversation.error());
+    return ExitStatus::failure;
   }
   if (frames.is_broken()) {
     throw Failure({says::no_frame, {{"most", std::to_string(editor::longest_message)}}});
   }
-  return session.ended_properly() ? ExitStatus::success : ExitStatus::findings;
+  return conversation.status() == AXISC_ENDED ? ExitStatus::success : ExitStatus::findings;
 }
 
 }  // namespace axisc::cli

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 _NOT_FOUND = -2
 _UNUSABLE = -3
+#: What is no failure beside 0: findings with errors; a conversation that its client has ended.
+_allowed = {"check": (1,), "message": (2, 3)}
 
 
 class Error(Exception):
@@ -225,14 +227,14 @@ class Workspace:
         result = Bytes()
         status = getattr(axisc_library(), "axisc_" + name)(self._handle, *arguments, byref(result))
         taken = _take(result)
-        self._require(status, allowed=1 if name == "check" else 0)
+        self._require(status, allowed=_allowed.get(name, ()))
         return taken
 
-    def _require(self, status: int, allowed: int = 0) -> None:
+    def _require(self, status: int, allowed: tuple[int, ...] = ()) -> None:
         raised, self._raised = self._raised, None
         if raised is not None:
             raise raised
-        if status not in (0, allowed):
+        if status != 0 and status not in allowed:
             raise self._error(status)
 
     def _error(self, status: int) -> BaseException:

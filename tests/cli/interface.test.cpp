@@ -455,6 +455,36 @@ TEST_CASE("axisc.h speaks the protocol of language servers") {
   auto const told =
       send({message({{"method", "textDocument/didOpen"}, {"params", {{"textDocument", document}}}})});
   CHECK(told.dump().find("AX1006") != std::string::npos);
+  CHECK(opened.status == AXISC_OK);
+  auto const shutdown = message({{"id", 2}, {"method", "shutdown"}});
+  auto const exit = message({{"method", "exit"}});
+  CHECK(send({shutdown, exit}).at(0).at("id") == 2);
+  CHECK(opened.status == AXISC_ENDED);
+  CHECK(send({shutdown}).empty());
+  CHECK(opened.status == AXISC_ENDED);
+  Opened left;
+  left.call(axisc_message, Json({exit}).dump());
+  CHECK(left.status == AXISC_BROKEN_OFF);
+}
+
+TEST_CASE("options of axisc_open override what files say, or fill in what they do not say") {
+  auto const cycle_time_with = [](std::string const& options, std::string const& path) {
+    Opened opened(options);
+    REQUIRE(opened.status == AXISC_OK);
+    return Json::parse(opened.call(axisc_answer,
+                                   Json{{"question", "machine"}, {"input", path}, {"format", "json"}}.dump()))
+        .at("cycle_time_us");
+  };
+  auto const machine = samples + "/mill/machine.json";
+  CHECK(cycle_time_with("{}", machine) == 1000);
+  CHECK(cycle_time_with(R"({"cycle_time": "2ms"})", machine) == 1000);
+  CHECK(cycle_time_with(R"({"override_cycle_time": "2ms"})", machine) == 2000);
+  for (auto const* const bad : {R"({"override_cycle_time": "soon"})", R"({"kind": "axes"})",
+                                R"({"axis_type": "X"})", R"({"build": "3"})"}) {
+    Opened const opened(bad);
+    CHECK(opened.status == AXISC_BAD_ARGUMENT);
+    CHECK(!opened.error().empty());
+  }
 }
 
 TEST_CASE("axisc.h refuses null pointers, unknown numbers and workspaces that were not opened") {

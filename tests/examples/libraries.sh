@@ -37,7 +37,7 @@ cat >"$folder/layout.c" <<'C'
 #define SAME(number, value) _Static_assert((number) == (value), #number)
 SAME(AXISC_FINDINGS, 1); SAME(AXISC_BAD_ARGUMENT, -1); SAME(AXISC_NOT_FOUND, -2); SAME(AXISC_UNUSABLE, -3);
 SAME(AXISC_CANCELLED, -4); SAME(AXISC_BUSY, -5); SAME(AXISC_NO_MEMORY, -6); SAME(AXISC_INTERNAL, -7);
-SAME(AXISC_FIX_ALL, 1);
+SAME(AXISC_ENDED, 2); SAME(AXISC_BROKEN_OFF, 3); SAME(AXISC_FIX_ALL, 1);
 #if defined(__LP64__)
 SAME(sizeof(axisc_bytes), 16); SAME(sizeof(axisc_files), 32); SAME(offsetof(axisc_files, read), 16);
 SAME(sizeof(axisrt_config), 64); SAME(offsetof(axisrt_config, verify_signature), 48);

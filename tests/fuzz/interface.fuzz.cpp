@@ -71,7 +71,7 @@ class Calls {
   }
 
   void take(int status, axisc_bytes& result) const {
-    require(status >= AXISC_INTERNAL && status <= AXISC_FINDINGS && status != AXISC_INTERNAL &&
+    require(status >= AXISC_INTERNAL && status <= AXISC_BROKEN_OFF && status != AXISC_INTERNAL &&
             status != AXISC_BUSY);
     require(result.data == nullptr || result.data[result.size] == '\0');
     require(status >= 0 || std::strlen(axisc_error(workspace_)) > 0);

@@ -107,8 +107,8 @@ export class Axisc {
 
   message(...messages) {
     if (this.#workspace === 0) return [];
-    const { status, result, error } = this.#call('message', JSON.stringify(messages.map((message) => JSON.stringify(message))), textOf);
-    if (status !== 0) throw new Error(error);
+    const { result, error } = this.#call('message', JSON.stringify(messages.map((message) => JSON.stringify(message))), textOf);
+    if (error !== '') throw new Error(error);
     return JSON.parse(result);
   }
 

@@ -16,8 +16,10 @@
 
 namespace axisc::motion {
 
-/// Blocks that are planned together. The next plan begins at the last place in the first half of them.
-inline constexpr std::size_t hsc_window = 2048;
+/// Blocks that are planned together. The next plan begins at the last place before the last `hsc_ahead` of
+/// them.
+inline constexpr std::size_t hsc_window = 4096;
+inline constexpr std::size_t hsc_ahead = 1024;
 
 /// An element of a stretch, with its share of the motion.
 struct StretchPart {

@@ -11,8 +11,6 @@
 
 namespace axisc::says {
 
-constexpr Sentence which_axis{"name the recorded axis with --axis",
-                              "die aufgezeichnete Achse mit --axis nennen"};
 constexpr Sentence needs_recording{
     "a recording of the axis is missing: MACHINE RECORDING...; `axisc compare --emit template --for "
     "identify` sets the scope up",
@@ -64,9 +62,7 @@ std::optional<IdentifiedAxis> identified_axis(Workspace& workspace, IdentifyQues
   RequestedMachine const requested(workspace, question.machine, errors);
   if (!requested.checked) return std::nullopt;
   auto const& machine = *requested.checked->machine;
-  auto const asked = requested.axis(question.axis);
-  if (!asked) throw Failure({says::which_axis});
-  auto const axis = *asked;
+  auto const axis = requested.axis(question.axis);
   auto const image = image_of(machine, requested.path);
   constexpr double microseconds = 1000;
   bool const in_machine = machine.axes.size() > 1 || names_machine(question.machine.input);

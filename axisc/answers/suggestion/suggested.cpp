@@ -16,8 +16,6 @@ namespace axisc::says {
 constexpr Sentence one_source{"name either --resonance or --measured",
                               "entweder --resonance oder --measured angeben"};
 constexpr Sentence of_measured{"--in and --out belong to --measured", "--in und --out gehören zu --measured"};
-constexpr Sentence which_axis{"name the vibrating axis with --axis",
-                              "die Achse, die schwingt, mit --axis nennen"};
 constexpr Sentence no_channel{
     "axis {axis} belongs to no channel: its setpoint passes no filter of a path",
     "Achse {axis} gehört zu keinem Kanal: ihr Sollwert läuft durch keinen Bahnfilter"};
@@ -122,17 +120,16 @@ std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& qu
   if (!requested.checked) return std::nullopt;
   auto const& machine = *requested.checked->machine;
   auto const axis = requested.axis(question.axis);
-  if (!axis) throw refuse(says::which_axis);
-  auto const channel = channel_of_axis(machine, *axis);
-  if (!channel) throw Failure({says::no_channel, {{"axis", machine.axes[*axis].name}}});
+  auto const channel = channel_of_axis(machine, axis);
+  if (!channel) throw Failure({says::no_channel, {{"axis", machine.axes[axis].name}}});
   SuggestionSubject const subject{.path = requested.path,
                                   .workspace = workspace,
                                   .loaded = *requested.loaded,
                                   .sources = requested.sources,
                                   .machine = machine,
                                   .group = *channel,
-                                  .axis = *axis};
-  Suggested found{.axis = machine.axes[*axis].name,
+                                  .axis = axis};
+  Suggested found{.axis = machine.axes[axis].name,
                   .group = machine.groups[subject.group].name,
                   .files = requested.checked->files};
   found.files.insert(found.files.end(), question.measured.begin(), question.measured.end());
@@ -141,7 +138,7 @@ std::optional<Suggested> suggest(Workspace& workspace, SuggestQuestion const& qu
   std::vector<tuning::Resonance> resonances;
   if (!question.measured.empty()) {
     measured =
-        measured_resonances(question.measured, measured_axis(question, machine, *axis), question.columns);
+        measured_resonances(question.measured, measured_axis(question, machine, axis), question.columns);
     for (auto const& mode : measured->found.modes) {
       resonances.push_back(
           {.frequency = mode.frequency, .damping = mode.damping, .uncertainty = mode.frequency_uncertainty});

@@ -118,7 +118,7 @@ TEST_CASE("ten blocks of 2 mm") {
 }
 
 TEST_CASE("HSC goes on where its blocks are so short that it never comes to an end of acceleration") {
-  // 1 mm in 5000 blocks at up to 500 mm/s: a window of 2048 of them is all ramps.
+  // 1 mm in 5000 blocks at up to 500 mm/s: a window of 4096 of them is all ramps.
   Plan plan(Slope::hsc);
   plan.feed_mm_min = 30'000;
   for (int i = 1; i <= 5000; ++i) plan.to(0.0002 * i);

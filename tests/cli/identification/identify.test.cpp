@@ -157,7 +157,7 @@ TEST_CASE("identify asks what is not clear", "[identify]") {
   bench.check_refused({"moves.csv", "other.csv"}, "another unit");
   auto const outcome = bench.run({"moves.csv"});
   CHECK(outcome.status == 2);
-  CHECK(outcome.err.find("--axis") != std::string::npos);
+  CHECK(outcome.err.find("machine.json has the axes X, Y, Z: name one with --axis") != std::string::npos);
 }
 
 TEST_CASE("identify refuses with a reason and what to record", "[identify]") {
