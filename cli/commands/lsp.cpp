@@ -3,6 +3,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
+#include "diagnostics/utf8.hpp"
 #include "editor/framing.hpp"
 #include "system/file.hpp"
 
@@ -33,8 +34,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_of(Json const& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+/// As axisc_message() takes messages. One that is not UTF-8 is no JSON either, and is refused as such.
+std::string array_of(std::vector<std::string> const& messages) {
+  auto array = Json::array();
+  for (auto const& message : messages) {
+    array.push_back(valid_utf8_prefix(message) == message.size() ? message : std::string());
+  }
+  return array.dump();
 }
 
 /// A conversation of axisc.h.
@@ -50,7 +56,8 @@ class Conversation {
     set("kind", given.kind);
     set("build", given.build);
     axisc_workspace* opened = nullptr;
-    status_ = axisc_open(text_of(options).c_str(), nullptr, &opened);
+    status_ =
+        axisc_open(options.dump(-1, ' ', false, Json::error_handler_t::replace).c_str(), nullptr, &opened);
     workspace_.reset(opened);
   }
 
@@ -61,7 +68,7 @@ class Conversation {
   /// The messages to send.
   std::vector<std::string> take(std::vector<std::string> const& messages) {
     axisc_bytes replies{};
-    status_ = axisc_message(workspace_.get(), text_of(messages).c_str(), &replies);
+    status_ = axisc_message(workspace_.get(), array_of(messages).c_str(), &replies);
     std::unique_ptr<axisc_bytes, void (*)(axisc_bytes*)> const owner(&replies, axisc_free);
     std::vector<std::string> texts;
     if (status_ < AXISC_OK) return texts;

@@ -51,6 +51,15 @@ TEST_CASE("the program answers on standard output as a session does") {
   CHECK(unframed(outcome.out) == expected);
 }
 
+TEST_CASE("a message that is not UTF-8 is refused, and the next one answered") {
+  auto const outcome =
+      answer(hello + framed("{\"jsonrpc\":\"2.0\",\"id\":2,\"method\":\"\xFC\"}") + farewell);
+  CHECK(outcome.status == 0);
+  auto const answers = unframed(outcome.out);
+  REQUIRE(answers.size() == 3);
+  CHECK(answers[1]["error"]["code"] == -32700);
+}
+
 TEST_CASE("the exit status tells how a conversation ended") {
   CHECK(answer(hello + farewell).status == 0);
   CHECK(answer(hello + framed(R"({"jsonrpc":"2.0","method":"exit"})")).status == 1);
