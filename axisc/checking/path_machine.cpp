@@ -79,6 +79,7 @@ std::size_t RequestedMachine::axis(std::optional<std::string> const& name) const
   if (axes.size() == 1) return 0;
   if (auto const of_list = axis_of_list(*loaded, sources, input)) return *of_list;
   std::vector<std::string> names;
+  names.reserve(axes.size());
   for (auto const& one : axes) names.push_back(one.name);
   throw Failure({says::which_axis, {{"file", path}, {"axes", joined(names)}}});
 }

@@ -207,8 +207,9 @@ int axisc_fix(axisc_workspace* workspace, char const* path, int fixes, axisc_byt
                 nlohmann::ordered_json const answer{
                     {"version", 1}, {"files", std::move(files)}, {"fixed", fixed.facts.applied}};
                 give(answer.dump(), report);
-                for (auto const& [file, before] : fixed.original)
+                for (auto const& [file, before] : fixed.original) {
                   object.unsaved[validator::key_of(file)] = fixed.edited.at(file);
+                }
                 return AXISC_OK;
               });
 }
@@ -265,8 +266,9 @@ int axisc_message(axisc_workspace* workspace, char const* messages, axisc_bytes*
               [&](axisc_workspace& object, std::optional<Now>&) -> int {
                 auto const arrived = interface::asked_texts(messages);
                 auto& session = object.session;
-                if (session == nullptr)
+                if (session == nullptr) {
                   session = std::make_unique<editor::Session>(object.options, object.language);
+                }
                 std::string text = "[";
                 auto const send = [&](std::vector<std::string> const& sent) {
                   for (auto const& message : sent) text.append(text.size() > 1 ? "," : "").append(message);

@@ -72,8 +72,9 @@ class Conversation {
     std::unique_ptr<axisc_bytes, void (*)(axisc_bytes*)> const owner(&replies, axisc_free);
     std::vector<std::string> texts;
     if (status_ < AXISC_OK) return texts;
-    for (auto const& reply : Json::parse(replies.data, replies.data + replies.size))
+    for (auto const& reply : Json::parse(replies.data, replies.data + replies.size)) {
       texts.push_back(reply.dump());
+    }
     return texts;
   }
 

@@ -103,11 +103,15 @@ constexpr Page pages[] = {
     {"docs/findings.md", "cp -r $samples ."},
     {"docs/gallery.md", "cp -r $samples . && cp -r samples/controller repaired"},
     {"docs/identify.md", "cp $samples/resonance/* . && cp moves.csv x.csv"},
+    {"docs/machine-file.md",
+     "cp $samples/mill/* . && cp z.lis x2.lis && cp $samples/controller/listen/sda_mds1.lis . && "
+     "sed -n '/^{/,/^}/p' $document >machine.json"},
     {"docs/nc-programs.md", "cp -r $samples ."},
     {"docs/pipelines.md",
      "cp -r $samples/mill plant && cp -r plant lists && ls plant/*.lis >changed.txt && "
      "echo plant/machine.json >machines.txt && git init -q -b main . && git add . && "
      "git -c user.name=a -c user.email=a commit -qm lists && git update-ref refs/remotes/origin/main HEAD"},
+    {"docs/plant-file.md", "cp $samples/mill/* . && sed -n '/^{/,/^}/p' $document >plant.json"},
     {"docs/plots.md",
      "cp -r $samples/controller/. $samples/mill/* . && mkdir old && cp -r listen prog old && "
      "axisc compile machine.json -o mill.axim -q 2>findings"},
@@ -194,6 +198,49 @@ TEST_CASE("the pages about the position loop and about proofs show what their co
     fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples", folder / "try/samples", fs::copy_options::recursive);
     fs::copy(std::string(AXISC_SOURCE_DIR) + "/examples/axim_check.c", folder / "try/examples");
     check_golden(document, executed(read_source_file(document), folder / "try"));
+  }
+}
+
+TEST_CASE("the page about settings shows what applies") {
+  TemporaryFolder const folder;
+  auto const document = read_source_file("docs/settings.md");
+  auto const begin = document.find("```json\n") + 8;
+  folder.write("axisc.json", document.substr(begin, document.find("```", begin) - begin));
+  folder.write("build-3200.json", R"({"version": 1, "parameters": []})");
+  folder.write("x.lis", "kopf.achs_nr 1\n");
+  check_golden("docs/settings.md", executed(document, folder.path()));
+}
+
+TEST_CASE("every guide has an example that is run") {
+  struct Elsewhere {
+    char const* document;
+    char const* runs;
+  };
+  static constexpr Elsewhere elsewhere[] = {
+      {"architecture", "tests/architecture/CMakeLists.txt"},
+      {"browser", ".ci/web"},
+      {"building", "test.sh"},
+      {"editors", "tests/editors/neovim.sh"},
+      {"filters", "tests/cli/plots/gallery.test.cpp"},
+      {"image-format", "tests/codegen/image_format_document.test.cpp"},
+      {"installation", ".ci/packages"},
+      {"library", "tests/examples/libraries.sh"},
+      {"linuxcnc", ".ci/linuxcnc"},
+      {"packages", ".ci/packages"},
+      {"python", "tests/python/test_axisc.py"},
+      {"rules", "tests/cli/explain.test.cpp"},
+      {"webassembly", ".ci/wasm"},
+  };
+  for (auto const& entry : fs::directory_iterator(AXISC_SOURCE_DIR "/docs")) {
+    auto const name = entry.path().stem().string();
+    if (entry.path().extension() != ".md" || name == "README" || name == "glossary") continue;
+    CAPTURE(name);
+    auto const* const found = std::find_if(std::begin(elsewhere), std::end(elsewhere),
+                                           [&](Elsewhere const& one) { return one.document == name; });
+    auto const document = read_source_file("docs/" + name + ".md");
+    bool const is_run_here = document.find("```console") != std::string::npos || !pasted(document).empty();
+    CHECK(is_run_here == (found == std::end(elsewhere)));
+    if (found != std::end(elsewhere)) CHECK(fs::exists(fs::path(AXISC_SOURCE_DIR) / found->runs));
   }
 }
 

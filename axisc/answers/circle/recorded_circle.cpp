@@ -144,8 +144,9 @@ class CircleReader {
   RecordedCircle read(std::vector<RecordingFile> const& files) {
     for (auto const& file : files) {
       auto turns = question_.is_external ? external(file) : positions_of(file);
-      if (auto const* const bad = std::get_if<circle::BadTurn>(&turns))
+      if (auto const* const bad = std::get_if<circle::BadTurn>(&turns)) {
         throw refusal(file.name, *bad, question_.is_external);
+      }
       for (auto& turn : std::get<std::vector<Turn>>(turns)) add(file.name, std::move(turn));
     }
     auto const& last = files.back().name;
@@ -161,6 +162,7 @@ class CircleReader {
     std::vector<ChosenColumn> columns = chosen.actuals;
     columns.insert(columns.end(), chosen.setpoints.begin(), chosen.setpoints.end());
     std::vector<std::size_t> channels;
+    channels.reserve(columns.size());
     for (auto const& column : columns) channels.push_back(column.channel);
     double const step =
         common_step(file, channels, machine_.machine.cycle_time.microseconds() / microseconds);

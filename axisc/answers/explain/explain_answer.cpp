@@ -21,7 +21,7 @@ constexpr Sentence origin{
     "jedem."};
 constexpr Sentence hits{"Found for \"{word}\"", "Gefunden zu „{word}“"};
 constexpr Sentence more{"More with \"{word}\" in the name:", "Weitere mit „{word}“ im Namen:"};
-constexpr Sentence read_as{"\"{word}\" was read as \"{meant}\".", "„{word}“ wurde als „{meant}“ gelesen."};
+constexpr Sentence read_as{R"("{word}" was read as "{meant}".)", "„{word}“ wurde als „{meant}“ gelesen."};
 
 }  // namespace axisc::says
 
