@@ -137,8 +137,9 @@ int axisc_compile(axisc_workspace* workspace, char const* path, char const* opti
 int axisc_answer(axisc_workspace* workspace, char const* question, axisc_bytes* answer);
 
 /* Language server protocol: a JSON array of messages that arrived together, as texts; becomes the array of
- * the messages to send, diagnostics of what has changed included. Open documents are those of the messages,
- * all other files those of the disk. After AXISC_ENDED or AXISC_BROKEN_OFF nothing is answered any more. */
+ * the messages to send, each on a line of its own, diagnostics of what has changed included. Open documents
+ * are those of the messages, all other files those of the disk. After AXISC_ENDED or AXISC_BROKEN_OFF nothing
+ * is answered any more. */
 int axisc_message(axisc_workspace* workspace, char const* messages, axisc_bytes* replies);
 
 /* Ends the present call, if there is one, before it reads its next file. From any thread, while the workspace

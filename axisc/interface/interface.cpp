@@ -271,11 +271,12 @@ int axisc_message(axisc_workspace* workspace, char const* messages, axisc_bytes*
                 }
                 std::string text = "[";
                 auto const send = [&](std::vector<std::string> const& sent) {
-                  for (auto const& message : sent) text.append(text.size() > 1 ? "," : "").append(message);
+                  for (auto const& message : sent)
+                    text.append(text.size() > 1 ? ",\n" : "\n").append(message);
                 };
                 if (!session->has_ended()) send(session->take(arrived));
                 if (!session->has_ended()) send(session->publish());
-                give(text + "]", replies);
+                give(text.append(text.size() > 1 ? "\n]" : "]"), replies);
                 if (!session->has_ended()) return AXISC_OK;
                 return session->ended_properly() ? AXISC_ENDED : AXISC_BROKEN_OFF;
               });

@@ -7,10 +7,12 @@
 #include "editor/framing.hpp"
 #include "system/file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -43,6 +45,18 @@ std::string array_of(std::vector<std::string> const& messages) {
   return array.dump();
 }
 
+/// "[", the messages on a line each, "]"; or "[]".
+std::vector<std::string> elements_of(std::string_view array) {
+  std::vector<std::string> elements;
+  auto rest = array.substr(std::min(array.size(), array.find('\n') + 1));
+  for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+    auto const line = rest.substr(0, end);
+    elements.emplace_back(line.substr(0, line.size() - (line.ends_with(',') ? 1 : 0)));
+    rest.remove_prefix(end + 1);
+  }
+  return elements;
+}
+
 /// A conversation of axisc.h.
 class Conversation {
  public:
@@ -70,12 +84,7 @@ class Conversation {
     axisc_bytes replies{};
     status_ = axisc_message(workspace_.get(), array_of(messages).c_str(), &replies);
     std::unique_ptr<axisc_bytes, void (*)(axisc_bytes*)> const owner(&replies, axisc_free);
-    std::vector<std::string> texts;
-    if (status_ < AXISC_OK) return texts;
-    for (auto const& reply : Json::parse(replies.data, replies.data + replies.size)) {
-      texts.push_back(reply.dump());
-    }
-    return texts;
+    return status_ < AXISC_OK ? std::vector<std::string>() : elements_of({replies.data, replies.size});
   }
 
  private:

@@ -6,6 +6,7 @@
 #include "support/sarif_schema.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -444,7 +445,11 @@ TEST_CASE("axisc.h speaks the protocol of language servers") {
     return value.dump();
   };
   auto const send = [&](std::vector<std::string> const& messages) {
-    return Json::parse(opened.call(axisc_message, Json(messages).dump()));
+    auto const text = opened.call(axisc_message, Json(messages).dump());
+    auto replies = Json::parse(text);
+    CHECK(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) ==
+          (replies.empty() ? 0 : replies.size() + 1));
+    return replies;
   };
   auto const replies =
       send({message({{"id", 1}, {"method", "initialize"}, {"params", {{"capabilities", Json::object()}}}}),
