@@ -271,8 +271,9 @@ int axisc_message(axisc_workspace* workspace, char const* messages, axisc_bytes*
                 }
                 std::string text = "[";
                 auto const send = [&](std::vector<std::string> const& sent) {
-                  for (auto const& message : sent)
+                  for (auto const& message : sent) {
                     text.append(text.size() > 1 ? ",\n" : "\n").append(message);
+                  }
                 };
                 if (!session->has_ended()) send(session->take(arrived));
                 if (!session->has_ended()) send(session->publish());
