@@ -121,8 +121,9 @@ def _take(result: Bytes) -> bytes:
 class Workspace:
     """Files of the disk, unsaved text over them, a language. One call at a time; make one for each thread.
 
-    `cycle_time` ("2ms") counts where no file says one. `read` gives lists, machine files and NC programs instead of
-    the disk: the bytes of a path, or None where there is no such file; `names` the names of the files in a folder.
+    `cycle_time` ("2ms") counts where no file says one. `control` is what counts whatever files say, as options of
+    `axisc lint`: override_cycle_time, axis_type, kind, build. `read` gives lists, machine files and NC programs instead
+    of the disk: the bytes of a path, or None where there is no such file; `names` the names of the files in a folder.
     """
 
     _handle: int | None = None
@@ -134,6 +135,7 @@ class Workspace:
         cycle_time: str | None = None,
         read: Callable[[str], bytes | None] | None = None,
         names: Callable[[str], list[str]] | None = None,
+        **control: str,
     ) -> None:
         self._raised: BaseException | None = None
         files = None
@@ -144,7 +146,7 @@ class Workspace:
         elif names is not None:
             raise BadArgument("names without read")
         handle = ctypes.c_void_p()
-        options = json.dumps({"language": language, "cycle_time": cycle_time}).encode()
+        options = json.dumps({"language": language, "cycle_time": cycle_time, **control}).encode()
         status = axisc_library().axisc_open(options, files, byref(handle))
         self._handle = handle.value
         if status != 0:

@@ -205,6 +205,13 @@ class Answers(unittest.TestCase):
         with axisc.Workspace() as workspace:
             replies = workspace.messages({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}})
             self.assertIn("capabilities", replies[0]["result"])
+            shutdown, leave = ({"jsonrpc": "2.0", "id": 2, "method": "shutdown"}, {"jsonrpc": "2.0", "method": "exit"})
+            self.assertEqual([reply["id"] for reply in workspace.messages(shutdown, leave)], [2])
+            self.assertEqual(workspace.messages(shutdown), [])
+
+    def test_what_counts_whatever_files_say(self):
+        for options, expected in (({}, 1000), ({"cycle_time": "2ms"}, 1000), ({"override_cycle_time": "2ms"}, 2000)):
+            self.assertEqual(axisc.open(MILL, **options).machine()["cycle_time_us"], expected)
 
 
 class Mistakes(unittest.TestCase):
@@ -213,6 +220,10 @@ class Mistakes(unittest.TestCase):
             axisc.open(MILL, language="fr")
         with self.assertRaisesRegex(axisc.BadArgument, "soon"):
             axisc.Workspace(cycle_time="soon")
+        with self.assertRaisesRegex(axisc.BadArgument, "V3.1.3075.04"):
+            axisc.Workspace(build="3")
+        with self.assertRaisesRegex(axisc.BadArgument, "axis_typ"):
+            axisc.Workspace(axis_typ="T")
         with self.assertRaisesRegex(axisc.BadArgument, "machines, filters"):
             axisc.open(MILL).answer("weather")
         with self.assertRaisesRegex(axisc.Unusable, "the axes are|axis"):

@@ -12,6 +12,11 @@ export interface Options {
   language?: 'en' | 'de';
   /** Where no file says one: "2ms". */
   cycle_time?: string;
+  /** Whatever files say, as options of `axisc lint`. */
+  override_cycle_time?: string;
+  axis_type?: string;
+  kind?: string;
+  build?: string;
 }
 export interface Outcome<Result> {
   /** 0; 1 where lists have errors; 2 where the question cannot be answered. */
