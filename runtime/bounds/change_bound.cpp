@@ -13,11 +13,14 @@ uint32_t family_of(uint32_t keywords) {
   return (keywords & axim_keyword_hsc) != 0 ? axim_family_hsc : axim_family_fir;
 }
 
+/// Factor for the roundings of a sum of up to 960 terms: less than largest_change allows for.
+constexpr double sum_rounding = 1 + 0x1p-40;
+
 double tail_distance(KernelPart const& a, KernelPart const& b) {
   double sum = 0;
   uint32_t const count = a.count > b.count ? a.count : b.count;
   for (uint32_t j = 0; j < count; ++j) sum += magnitude(a.tail(j) - b.tail(j));
-  return sum * second_order;
+  return sum * sum_rounding;
 }
 
 class Changes {

@@ -137,6 +137,19 @@ def random_lists():
     expect(False, f"only {found} of {LISTS} random lists were compiled")
 
 
+def shortest_fade():
+    """One whose added acceleration is 2e-7 of its limit below it: the compiler's own condition, and no more."""
+    path = os.path.join(FOLDER, "shortest.lis")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("kopf.achs_nr 1\nkenngr.achs_typ 1\ngetriebe[0].dynamik.vb_max 830452\n"
+                   "getriebe[0].dynamik.a_max 3000\nfilter[0].type ALLPASS\nfilter[0].enable 1\n"
+                   "filter[0].fg_f0 11.6\nfilter[0].order 2\nfilter[0].prototype 3\n"
+                   "filter_fir.enable 1\nfilter_fir.type 2\nfilter_fir.order 96\nEnde\n")
+    image = compiled("shortest", path, "--quiet", "--cycle-time", "1ms")
+    expect(image is not None, "the list of the shortest fade is not compiled")
+    all_agree(image)
+
+
 def refused(image, what):
     path = os.path.join(FOLDER, "changed.axim")
     write(path, image)
@@ -205,6 +218,7 @@ def main():
     samples()
     random_lists()
     mutations()
+    shortest_fade()
     short_fade()
     print("certificates:", "FAILED" if failures else "all agree")
     return 1 if failures else 0

@@ -259,8 +259,9 @@ class Checker:
 
         E = claim["rounding_increment"]
         gain = Fraction(joint.gain, ONE)
-        # A chain that lets next to nothing through keeps what its first sections round: 1e-12 of a setpoint.
-        enclose("gain_high", gain, more=Fraction(1, 10**12))
+        # Of a chain that lets next to nothing through, the roundings of its first sections are not small beside
+        # its gain: tight means 1e-9 of a setpoint then.
+        enclose("gain_high", gain, more=TIGHT * max(0, 1 - gain))
         if claim["gain_low"] > gain:
             self.fail(index, "gain_low", claim["gain_low"], gain)
         if base > 0:
