@@ -4,6 +4,7 @@
 #include "axisc/answers/explain/explain_subject.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/image_file.hpp"
+#include "diagnostics/joined.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -12,12 +13,13 @@
 namespace axisc::says {
 
 constexpr Sentence which_axis_of{"name the axis: {axes}", "die Achse nennen: {axes}"};
-constexpr Sentence no_such_parameter{"there is no axis parameter \"{name}\"",
-                                     "es gibt keinen Achsparameter „{name}“"};
+constexpr Sentence no_such_parameter{
+    "there is no axis parameter \"{name}\"; `axisc explain` finds names by what they mean",
+    "es gibt keinen Achsparameter „{name}“; `axisc explain` findet Namen nach ihrer Bedeutung"};
 constexpr Sentence no_such_parameter_meant{"there is no axis parameter \"{name}\"; did you mean {meant}?",
                                            "es gibt keinen Achsparameter „{name}“; war {meant} gemeint?"};
-constexpr Sentence index_needed{"`{name}` needs an index: {first} to {last}",
-                                "`{name}` braucht einen Index: {first} bis {last}"};
+constexpr Sentence index_needed{"`{name}` needs an index that there is: {first} to {last}",
+                                "`{name}` braucht einen Index, den es gibt: {first} bis {last}"};
 
 }  // namespace axisc::says
 
@@ -50,10 +52,40 @@ bool begins(std::string_view name, std::string_view beginning) {
   return is_longer && (name[beginning.size()] == '.' || name[beginning.size()] == '[');
 }
 
+/// What the search for words finds, as lists have it.
+std::string found_names(schema::Catalogue const& catalogue, std::string const& name) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> names;
+  try {
+    std::vector const catalogues{catalogue};
+    for (auto const& hit : explain_subject(catalogues, name).hits) {
+      auto const* const row = std::get_if<schema::Parameter const*>(&hit.subject);
+      bool const is_like = row != nullptr && hit.likeness < Likeness::some_words;
+      if (is_like && names.size() < most) {
+        names.push_back(schema::slot_name(**row, (*row)->first_slot));
+      }
+    }
+  } catch (Failure const&) {
+    // Nothing is like it.
+  }
+  return joined(names, ", ");
+}
+
 [[noreturn]] void refuse(schema::Catalogue const& catalogue, std::string const& name) {
-  auto const meant = catalogue.suggest_names(name).names;
+  auto const near = catalogue.suggest_names(name).names;
+  auto const meant = near.empty() ? found_names(catalogue, name) : near.front();
   throw Failure({meant.empty() ? says::no_such_parameter : says::no_such_parameter_meant,
-                 {{"name", name}, {"meant", meant.empty() ? "" : meant.front()}}});
+                 {{"name", name}, {"meant", meant}}});
+}
+
+/// `filter[9].order`, of which there are three.
+[[noreturn]] void refuse_index(schema::Parameter const& row, std::string const& name) {
+  auto const last =
+      static_cast<schema::Slot>(static_cast<std::uint32_t>(row.first_slot) + row.slots - 1U);
+  throw Failure({says::index_needed,
+                 {{"name", name},
+                  {"first", schema::slot_name(row, row.first_slot)},
+                  {"last", schema::slot_name(row, last)}}});
 }
 
 /// `filter[].order` without its empty brackets, which no list has.
@@ -95,6 +127,7 @@ std::vector<schema::Slot> chosen_slots(EffectiveValues const& values, std::strin
   if (is_name(word)) {
     auto const found = catalogue.find(without_empty_brackets(word));
     if (found.status == Status::found) return {found.slot};
+    if (found.status == Status::index_out_of_range) refuse_index(*found.row, word);
     if (found.row != nullptr && found.status == Status::index_missing) add_slots(slots, values, *found.row);
     if (!slots.empty()) return slots;
     for (auto const* const value : values.set_values()) {
@@ -115,14 +148,7 @@ schema::Slot chosen_slot(schema::Catalogue const& catalogue, std::string const& 
   auto const found = catalogue.find(without_empty_brackets(name));
   if (found.status == Status::found && !found.case_folded) return found.slot;
   bool const has_row = found.row != nullptr && found.status != Status::found;
-  if (has_row && found.row->index_count() > 0) {
-    auto const last =
-        static_cast<schema::Slot>(static_cast<std::uint32_t>(found.row->first_slot) + found.row->slots - 1U);
-    throw Failure({says::index_needed,
-                   {{"name", name},
-                    {"first", schema::slot_name(*found.row, found.row->first_slot)},
-                    {"last", schema::slot_name(*found.row, last)}}});
-  }
+  if (has_row && found.row->index_count() > 0) refuse_index(*found.row, name);
   if (found.row != nullptr) {
     throw Failure({says::no_such_parameter_meant,
                    {{"name", name}, {"meant", schema::slot_name(*found.row, found.row->first_slot)}}});

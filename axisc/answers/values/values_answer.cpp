@@ -29,6 +29,8 @@ constexpr Sentence meaning{"{value} [{meaning}]", "{value} [{meaning}]"};
 constexpr Sentence value_unit{"{value} {unit}", "{value} {unit}"};
 constexpr Sentence replaced{"the control uses {value} ({code})", "die Steuerung verwendet {value} ({code})"};
 constexpr Sentence unusable{"cannot be used ({code})", "nicht verwendbar ({code})"};
+constexpr Sentence unusable_line{"the line is not usable; `axisc lint` says why",
+                                 "die Zeile ist nicht verwendbar; `axisc lint` sagt, warum"};
 constexpr Sentence control_uses{"correction", "Korrektur"};
 constexpr Sentence name_parameters{"name a parameter, or --all", "einen Parameter nennen, oder --all"};
 
@@ -53,7 +55,7 @@ class AxisValues {
 
   [[nodiscard]] Table table(std::vector<schema::Slot> const& slots) const {
     bool const has_corrections = std::any_of(slots.begin(), slots.end(), [&](schema::Slot slot) {
-      return correction_of(value_of(slot)) != nullptr;
+      return correction_of(value_of(slot)) != nullptr || value_of(slot).unusable;
     });
     Table table{.key = "values"};
     for (auto const slot : slots) {
@@ -142,7 +144,7 @@ class AxisValues {
 
   [[nodiscard]] Value correction_words(EffectiveValue const& value) const {
     auto const* const finding = correction_of(value);
-    if (finding == nullptr) return {};
+    if (finding == nullptr) return value.unusable ? Value(Words(says::unusable_line)) : Value();
     auto const code = code_text(finding->code);
     bool const is_replaced = finding->control && !finding->control->value.empty();
     return is_replaced ? Words(says::replaced, {{"value", finding->control->value}, {"code", code}})
