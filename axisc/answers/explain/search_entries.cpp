@@ -95,7 +95,9 @@ class Entries {
   }
 
   void add(schema::ControlMessage const& message) {
-    auto entry = entry_of(&message, std::to_string(message.numbers.front()));
+    auto const number = std::to_string(message.numbers.front());
+    auto entry = entry_of(&message, number);
+    add_synonyms(entry, number);
     for (auto const& text : {message.meaning, message.remedy}) add_words(entry.meaning_words, text);
     for (auto const parameter : message.parameters) add_words(entry.meaning_words, parameter);
     entries_.push_back(std::move(entry));

@@ -64,6 +64,17 @@ constexpr auto look_ups = std::to_array<LookUp>({
     {"Meldung 70600 Achse X2", "70600"},
     {"Alarm 21990", "21990"},
     {"50555", "50555"},
+    {"E50663", "50663"},
+    // What the panel says beside its number.
+    {"Filtertyp unbekannt", "50554"},
+    {"unknown filter type", "50554"},
+    {"Filterordnung zu hoch", "50553"},
+    {"Zeitkonstante ungültig", "50663"},
+    {"Abtastfrequenz zu klein", "50556"},
+    {"quality invalid", "50555"},
+    {"Achsnummer doppelt", "1001121"},
+    {"Schleppabstand zu groß", "70020"},
+    {"Gantry Slave ohne Master", "110244"},
     // Filters.
     {"Kerbfilter", "BANDSTOP"},
     {"Notch", "BANDSTOP"},
@@ -90,6 +101,9 @@ constexpr auto look_ups = std::to_array<LookUp>({
     {"chatter", "vibration"},
     {"Maschine schwingt", "vibration"},
     {"Ueberschwingen", "overshoot"},
+    {"Achse brummt", "vibration"},
+    {"Achse ruckelt", "vibration"},
+    {"Kreisformfehler", "contour deviation"},
     {"Konturfehler", "contour deviation"},
     {"Filter wirkt nicht", "AX3007"},
     {"Achsen laufen nicht synchron", "AX4011"},
@@ -106,6 +120,10 @@ constexpr auto look_ups = std::to_array<LookUp>({
     {"vb_maxx", "getriebe[].dynamik.vb_max"},
     {"max acceleration", "getriebe[].dynamik.a_max"},
     {"Schlepfehler", "getriebe[].slep_max"},
+    {"Getriebespiel", "getriebe[].lose"},
+    {"Referenzpunktfahrt", "kenngr.homing.homing_type"},
+    {"dreht falsch herum", "getriebe[].reverse"},
+    {"Anfahrzeit", "jerk"},
     {"Eilgang", "getriebe[].vb_eilgang"},
     {"in-position window", "getriebe[].window"},
     {"Getriebeübersetzung", "getriebe[].gear_fact_num"},
@@ -119,7 +137,7 @@ constexpr auto look_ups = std::to_array<LookUp>({
     {"G60 Genauhalt", "G60"},
     {"Überschleifen", "G61"},
 });
-static_assert(look_ups.size() == 60);
+static_assert(look_ups.size() == 77);
 
 }  // namespace
 
