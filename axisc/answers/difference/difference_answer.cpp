@@ -178,7 +178,7 @@ Names restarting(MachineDifference const& difference) {
   return names;
 }
 
-/// Each change once, those that need a restart first, of many the first.
+/// Each change once, those that need a restart first.
 Table all_changes(ShownDifference const& shown) {
   struct Change {
     Row row;
@@ -202,8 +202,6 @@ Table all_changes(ShownDifference const& shown) {
   }
   std::stable_partition(changes.begin(), changes.end(), [](Change const& one) { return one.restart; });
   auto table = parameter_table(shown);
-  constexpr std::size_t most_on_a_cover = 4;
-  table.most_shown = most_on_a_cover;
   table.columns.insert(table.columns.begin(), head_column({}, labels::axes));
   for (auto& [row, restart, axes] : changes) {
     row.insert(row.begin(), axes);
@@ -228,6 +226,15 @@ void add_remarks(std::vector<Block>& blocks, MachineDifference const& difference
   if (difference.set_to_default > 0) add(says::set_to_default, {{"count", difference.set_to_default}});
 }
 
+/// A cover has room for the first ones.
+Names first_of(Names names) {
+  constexpr std::size_t most = 5;
+  if (names.size() <= most) return names;
+  names.resize(most);
+  names.emplace_back("…");
+  return names;
+}
+
 }  // namespace
 
 std::vector<Block> change_summary(ShownDifference const& shown) {
@@ -242,10 +249,10 @@ std::vector<Block> change_summary(ShownDifference const& shown) {
     channels.push_back((channel.after != nullptr ? channel.after : channel.before)->name);
   }
   if (!channels.empty()) {
-    blocks.emplace_back(Paragraph{Words(says::other_channels, {{"channels", channels}})});
+    blocks.emplace_back(Paragraph{Words(says::other_channels, {{"channels", first_of(channels)}})});
   }
   if (difference.needs_restart()) {
-    blocks.emplace_back(Paragraph{Words(says::restart, {{"parameters", restarting(difference)}})});
+    blocks.emplace_back(Paragraph{Words(says::restart, {{"parameters", first_of(restarting(difference))}})});
   } else if (has_changed_parameters) {
     blocks.emplace_back(Paragraph{says::no_restart});
   }

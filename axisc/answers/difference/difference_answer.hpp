@@ -19,8 +19,8 @@ struct ShownDifference {
 
 [[nodiscard]] presentation::Document difference_answer(ShownDifference const& shown);
 
-/// For a cover: what differs, each change of a parameter once with the axes that have it, of many the first,
-/// and what needs a restart.
+/// For a cover: what differs, each change of a parameter once with the axes that have it, and what needs a
+/// restart.
 [[nodiscard]] std::vector<presentation::Block> change_summary(ShownDifference const& shown);
 
 /// Corner deviation in µm for a path of `feed` mm/min.

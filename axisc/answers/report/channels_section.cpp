@@ -24,16 +24,20 @@ using namespace presentation;
 
 namespace {
 
-/// The circular tests at the highest feed of the planes that deviate most, their numbers folded.
+/// The circular tests at the highest feed of the planes that deviate most, their numbers folded; of many
+/// channels fewer planes, because their pictures are large.
 void add_circles(ReportBlocks& blocks, ReportSubject const& subject, std::size_t group) {
   auto const& feeds = subject.contour.feeds;
   constexpr std::size_t most_planes = 3;
+  constexpr std::size_t most_pictures = 6;
+  auto const planes =
+      std::clamp<std::size_t>(most_pictures / subject.contours.size(), 1, most_planes);
   auto test = channel_circles(
       {.path = subject.input, .machine = *subject.machine, .image = subject.plots->contents()}, group,
       *std::max_element(feeds.begin(), feeds.end()), subject.contour.radius_mm);
   std::stable_sort(test.cases.begin(), test.cases.end(),
                    [](auto const& a, auto const& b) { return a.deviation() > b.deviation(); });
-  test.cases.resize(std::min(test.cases.size(), most_planes));
+  test.cases.resize(std::min(test.cases.size(), planes));
   for (auto const& one : test.cases) {
     CircularTest const alone{.cycle_time = test.cycle_time, .cases = {one}, .tolerance_um = {}, .files = {}};
     auto shown = circle_blocks(alone, one);

@@ -33,7 +33,6 @@ namespace {
 /// Columns of a page on A4.
 constexpr std::size_t widest_line = 100;
 constexpr std::size_t most_places = 6;
-constexpr std::size_t most_to_do = 8;
 
 /// In words, else the name that settings know it by.
 Wording title_of(Code code) {
@@ -48,6 +47,12 @@ Words title_of(FindingGroup const& group) {
            {"severity", severity_symbol(group.severity)},
            {"code", code_text(group.code)},
            {"count", group.findings.size()}}};
+}
+
+/// The cover has no room for folders; the finding itself says them.
+std::string without_folders(std::string_view place) {
+  auto const slash = place.rfind('/');
+  return std::string(slash == std::string_view::npos ? place : place.substr(slash + 1));
 }
 
 /// The first in full, and where the others are.
@@ -69,6 +74,10 @@ Section section_of(FindingGroup const& group) {
 
 void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const& sources) {
   subject.counts.add(finding.severity);
+  bool const is_first = std::none_of(
+      subject.findings.begin(), subject.findings.end(), [&finding](ReportedFinding const& other) {
+        return other.code == finding.code && other.severity == finding.severity;
+      });
   ReportedFinding& reported = subject.findings.emplace_back();
   reported = {.severity = finding.severity,
               .code = finding.code,
@@ -82,7 +91,8 @@ void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const
   if (finding.place) {
     reported.place += ":" + std::to_string(locate(*finding.place, sources).begin.line);
   }
-  if (subject.findings.size() > most_shown_findings) return;
+  // The first of a group is always shown.
+  if (subject.findings.size() > most_shown_findings && !is_first) return;
   reported.text =
       write_text(finding, sources, {.language = subject.language, .color = false, .width = widest_line});
 }
@@ -106,14 +116,14 @@ std::vector<FindingGroup> groups_of(std::vector<ReportedFinding> const& findings
 }
 
 Table to_do_table(ReportSubject const& subject) {
-  Table table{.key = "findings", .most_shown = most_to_do};
+  Table table{.key = "findings"};
   for (auto const& group : groups_of(subject.findings)) {
     auto const& first = *group.findings.front();
     auto const code = code_text(group.code);
     add_row(table, {{"severity", says::severity_column, severity_symbol(group.severity)},
                     {"title", says::finding_column, title_of(group.code)},
                     {"count", says::count_column, group.findings.size()},
-                    {"place", says::first_column, first.place},
+                    {"place", says::first_column, without_folders(first.place)},
                     {"help", says::remedy_column, first.help ? Value(Words(*first.help)) : Value()},
                     {"code", says::code_column, Link{.text = code, .id = code}}});
   }

@@ -19,6 +19,10 @@ constexpr Sentence overview_corner{"corner of {angle}", "Ecke von {angle}"};
 constexpr Sentence overview_passed{"as passed", "wie gefahren"};
 constexpr Sentence overview_circle{"circle, r {radius}", "Kreis, r {radius}"};
 constexpr Sentence overview_margin{"margin to {tolerance}", "Reserve bis {tolerance}"};
+constexpr Sentence channels_off{"At {feed} the contour of each channel is off by:",
+                                "Bei {feed} weicht die Bahn jedes Kanals ab um:"};
+constexpr Sentence kept_at_corner{"tolerance kept at the corner up to", "Toleranz an der Ecke eingehalten bis"};
+constexpr Sentence kept_on_circle{"on the circle up to", "auf dem Kreis bis"};
 constexpr Sentence overview_findings{"findings", "Befunde"};
 constexpr Sentence overview_others{"several axes, machine", "mehrere Achsen, Maschine"};
 constexpr Sentence no_delay{"Nothing delays a setpoint.", "Nichts verzögert einen Sollwert."};
@@ -48,6 +52,14 @@ namespace axisc {
 using namespace presentation;
 
 namespace {
+
+Words corner_label(ReportSubject const& subject) {
+  return {says::overview_corner, {{"angle", exact(subject.contour.angle_deg, Unit::degree)}}};
+}
+
+Words circle_label(ReportSubject const& subject) {
+  return {says::overview_circle, {{"radius", exact(subject.contour.radius_mm, Unit::millimetre)}}};
+}
 
 /// Of the position.
 std::vector<AxisDelay> position_delays(PlotSubject const& subject) {
@@ -162,6 +174,29 @@ Words contour_sentence(ReportSubject const& subject, GroupContour const& contour
            {"circle", um(one.circle.deviation)}}};
 }
 
+/// The contours of several channels.
+Table channels_table(ReportSubject const& subject) {
+  auto const um = [](double units) { return fixed(micrometres(units), Unit::micrometre, 1); };
+  auto const feed = [](std::optional<double> const& value) {
+    return quantity_or({}, value, Unit::millimetre_per_minute, Digits::decimals(0));
+  };
+  Table table{.key = {}};
+  for (auto const& [contour, reason] : subject.contours) {
+    if (!contour) continue;
+    auto const& one = fastest(*contour);
+    auto const limits = contour->limits.value_or(ContourLimits());
+    add_row(table,
+            {{"channel", labels::channel, contour->name.empty() ? Value(Names(contour->axes)) : contour->name},
+             {"corner_um", corner_label(subject), um(one.corner.deviation)},
+             {"passed_um", says::overview_passed,
+              one.passed_corner ? Value(um(one.passed_corner->deviation)) : Value()},
+             {"circle_um", circle_label(subject), um(one.circle.deviation)},
+             {"corner_feed", says::kept_at_corner, feed(limits.corner_feed)},
+             {"circle_feed", says::kept_on_circle, feed(limits.circle_feed)}});
+  }
+  return table;
+}
+
 }  // namespace
 
 std::vector<EqualAxes> equal_axes(PlotSubject const& subject) {
@@ -209,10 +244,10 @@ AxisCost cost_of(ReportSubject const& subject, EqualAxes const& axes) {
 std::optional<double> margin_um(ReportSubject const& subject, AxisCost const& cost) {
   if (!subject.contour.tolerance_mm || !cost.corner_um) return std::nullopt;
   constexpr double um_per_mm = 1000;
-  return *subject.contour.tolerance_mm * um_per_mm - std::max(*cost.corner_um, *cost.circle_um);
+  return *subject.contour.tolerance_mm * um_per_mm - cost.largest_um();
 }
 
-Table overview_table(ReportSubject const& subject) {
+Table overview_table(ReportSubject const& subject, OverviewOrder order) {
   if (!subject.plots) return {.key = {}};
   auto const& contents = subject.plots->contents();
   auto const tolerance = subject.contour.tolerance_mm;
@@ -231,21 +266,28 @@ Table overview_table(ReportSubject const& subject) {
              {"start_ms", says::overview_start,
               quantity_or({}, cost != nullptr ? cost->start_ms : std::nullopt, Unit::millisecond)},
              {"corner_um",
-              Words(says::overview_corner, {{"angle", exact(subject.contour.angle_deg, Unit::degree)}}),
-              of(&AxisCost::corner_um)},
+              corner_label(subject), of(&AxisCost::corner_um)},
              {"passed_um", says::overview_passed, of(&AxisCost::passed_um)},
              {"circle_um",
-              Words(says::overview_circle, {{"radius", exact(subject.contour.radius_mm, Unit::millimetre)}}),
-              of(&AxisCost::circle_um)},
+              circle_label(subject), of(&AxisCost::circle_um)},
              {"margin_um",
               Words(says::overview_margin, {{"tolerance", exact(tolerance.value_or(0), Unit::millimetre)}}),
               margin},
              {"findings", says::overview_findings, findings}});
   };
-  for (auto const& axes : equal_axes(*subject.plots)) {
+  std::vector<std::pair<AxisCost, EqualAxes>> all;
+  for (auto& axes : equal_axes(*subject.plots)) {
+    auto const cost = cost_of(subject, axes);
+    all.emplace_back(cost, std::move(axes));
+  }
+  if (order == OverviewOrder::costliest_first) {
+    std::stable_sort(all.begin(), all.end(), [](auto const& one, auto const& other) {
+      return one.first.largest_um() > other.first.largest_um();
+    });
+  }
+  for (auto const& [cost, axes] : all) {
     auto const findings = findings_of(subject, axes);
     rest -= findings;
-    auto const cost = cost_of(subject, axes);
     add(axes.names, filter_words(contents, axes.axes.front()).value_or(Words(says::overview_no_filter)),
         &cost, findings);
   }
@@ -253,16 +295,28 @@ Table overview_table(ReportSubject const& subject) {
   return table;
 }
 
-ReportBlocks cost_sentences(ReportSubject const& subject) {
+ReportBlocks cost_blocks(ReportSubject const& subject) {
   if (!subject.plots) return {};
   auto blocks = delay_sentences(subject);
+  auto channels = channels_table(subject);
+  bool const is_one = channels.rows.size() == 1;
+  Names reasons;
   for (auto const& [contour, reason] : subject.contours) {
     if (!contour) {
-      if (!reason.empty()) blocks.emplace_back(Paragraph{as_given(reason)});
-      continue;
+      bool const is_new = std::find(reasons.begin(), reasons.end(), reason) == reasons.end();
+      if (!reason.empty() && is_new) reasons.push_back(reason);
+    } else if (is_one) {
+      blocks.emplace_back(Paragraph{contour_sentence(subject, *contour)});
+      if (contour->limits) blocks.emplace_back(Paragraph{kept_feeds(*contour->limits)});
     }
-    blocks.emplace_back(Paragraph{contour_sentence(subject, *contour)});
-    if (contour->limits) blocks.emplace_back(Paragraph{kept_feeds(*contour->limits)});
+  }
+  constexpr std::size_t most_reasons = 3;
+  reasons.resize(std::min(reasons.size(), most_reasons));
+  for (auto const& reason : reasons) blocks.emplace_back(Paragraph{as_given(reason)});
+  if (channels.rows.size() > 1) {
+    auto const feed = exact(subject.highest_feed(), Unit::millimetre_per_minute);
+    blocks.emplace_back(Paragraph{Words(says::channels_off, {{"feed", feed}})});
+    blocks.emplace_back(std::move(channels));
   }
   return blocks;
 }

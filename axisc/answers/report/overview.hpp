@@ -5,7 +5,9 @@
 #include "axisc/answers/figures/plots.hpp"
 #include "axisc/answers/report/report_page.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,16 +30,21 @@ struct AxisCost {
   double delay_ms = 0;                  ///< of the position, all filters on
   std::optional<double> start_ms = {};  ///< as long as no command switched a filter on, where that differs
   std::optional<double> corner_um = {}, passed_um = {}, circle_um = {};
+
+  [[nodiscard]] double largest_um() const { return std::max(corner_um.value_or(0), circle_um.value_or(0)); }
 };
 [[nodiscard]] AxisCost cost_of(ReportSubject const& subject, EqualAxes const& axes);
 
 /// The tolerance less the larger of the deviations at corner and circle; none without a tolerance.
 [[nodiscard]] std::optional<double> margin_um(ReportSubject const& subject, AxisCost const& cost);
 
-/// A row for axes that are alike. Empty after errors.
-[[nodiscard]] presentation::Table overview_table(ReportSubject const& subject);
+enum class OverviewOrder : std::uint8_t { of_axes, costliest_first };
 
-/// What the filters cost in sentences, channel by channel.
-[[nodiscard]] ReportBlocks cost_sentences(ReportSubject const& subject);
+/// A row for axes that are alike. Empty after errors.
+[[nodiscard]] presentation::Table overview_table(ReportSubject const& subject,
+                                                 OverviewOrder order = OverviewOrder::of_axes);
+
+/// What the filters cost: of one channel in sentences, of several as a table.
+[[nodiscard]] ReportBlocks cost_blocks(ReportSubject const& subject);
 
 }  // namespace axisc

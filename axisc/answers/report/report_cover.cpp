@@ -1,6 +1,8 @@
 #include "axisc/answers/labels.hpp"
+#include "axisc/answers/report/cover_space.hpp"
 #include "axisc/answers/report/overview.hpp"
 #include "presentation/pictures/svg_text.hpp"
+#include "presentation/pictures/text_width.hpp"
 
 #include <algorithm>
 
@@ -71,7 +73,8 @@ bool is_tolerance_unknown(ReportSubject const& subject) {
                      [](ReportedContour const& one) { return !one.figures && !one.reason.empty(); });
 }
 
-std::string verdict(ReportSubject const& subject) {
+/// Its look, and its words.
+std::pair<std::string_view, std::string> verdict(ReportSubject const& subject) {
   auto const& counts = subject.counts;
   auto const counted = subject.say(says::counted, {{"errors", std::to_string(counts.errors)},
                                                    {"warnings", std::to_string(counts.warnings)},
@@ -83,11 +86,15 @@ std::string verdict(ReportSubject const& subject) {
       : counts.warnings > 0           ? std::pair("verdict warning", SentenceRef(says::verdict_warnings))
                                       : std::pair("verdict good", SentenceRef(says::verdict_good));
   auto const tolerance = exact(subject.contour.tolerance_mm.value_or(0), Unit::millimetre);
-  return paragraph(
-      kind, text_of(Words(sentence, {{"counts", counted},
-                                     {"tolerance", tolerance},
-                                     {"feed", exact(subject.highest_feed(), Unit::millimetre_per_minute)}}),
-                    subject.language));
+  return {kind, text_of(Words(sentence, {{"counts", counted},
+                                         {"tolerance", tolerance},
+                                         {"feed", exact(subject.highest_feed(), Unit::millimetre_per_minute)}}),
+                        subject.language)};
+}
+
+std::string overview_words(ReportSubject const& subject) {
+  auto const feed = exact(subject.highest_feed(), Unit::millimetre_per_minute);
+  return text_of(Words(says::overview_of, {{"feed", feed}}), subject.language);
 }
 
 Facts facts_of_people(ReportCover const& cover) {
@@ -114,46 +121,125 @@ std::string signature(ReportSubject const& subject, SentenceRef who, std::string
          paragraph("line", subject.say(says::name_and_signature)) + "</div>\n";
 }
 
+/// The first table and how to read it: HTML.
+std::string overview_html(ReportSubject const& subject, Table table) {
+  return "<div class=\"overview\">" + subject.html({std::move(table)}, 3) +
+         paragraph("small", overview_words(subject)) + "</div>\n";
+}
+
+/// Titles that need more than two lines in large letters are smaller.
+PrintedText title_style(std::string const& title) {
+  constexpr PrintedText large{.size = 24, .line = 36, .is_bold = true};
+  constexpr PrintedText small{.size = 14.4, .line = 21.6, .is_bold = true};
+  return printed_height(title, large) > 2 * large.line ? small : large;
+}
+
+/// What people wrote, as far as a cover has room for it.
+ReportCover shortened(ReportCover cover) {
+  constexpr double title_room = 1300;
+  constexpr double room = 560;
+  cover.title = pictures::fitted(cover.title, PrintedText().size, title_room);
+  for (auto* const text : {&cover.customer, &cover.author, &cover.date}) {
+    *text = pictures::fitted(*text, PrintedText().size, room);
+  }
+  return cover;
+}
+
+/// Everything above the first table.
+double height_above(ReportSubject const& subject, std::string const& title, std::vector<Facts> const& facts,
+                    std::string const& verdict) {
+  double height = printed_paragraph(subject.say(says::cover_kind)) + printed_height(title, title_style(title)) + 6;
+  bool const is_alone = facts.front().fields.empty() || facts.back().fields.empty();
+  double const width = is_alone ? PrintedText().width : 243;
+  double highest = 0;
+  for (auto const& side : facts) {
+    highest = std::max(highest,
+                       printed_height(side, subject.language, {.size = 8.5, .line = 11.5, .width = width}));
+  }
+  return height + highest + cover_heading +
+         printed_height(verdict, {.size = 13.2, .line = 19.8, .width = 480, .is_bold = true}) + 18;
+}
+
+struct CoverParts {
+  ReportBlocks changes, costs, to_do;
+  Table overview;
+  bool has_overview = false;
+};
+
+/// How many rows of each table the page has room for: all of the overview where it can be, else those that
+/// cost most. False where the parts must move together.
+bool fit(CoverParts& parts, ReportSubject const& subject, double room) {
+  for (auto const* const blocks : {&parts.changes, &parts.costs, &parts.to_do}) {
+    if (!blocks->empty()) room -= cover_heading + paragraphs_height(*blocks, subject.language);
+  }
+  std::vector<CoverTable> tables;
+  for (auto* const blocks : {&parts.changes, &parts.to_do, &parts.costs}) add_tables(tables, *blocks);
+  constexpr PrintedText dense{.size = 8, .line = 10.8, .second_column = 132};
+  auto const try_overview = [&](Table table, std::size_t least) {
+    parts.overview = std::move(table);
+    auto with = tables;
+    with.push_back({.table = &parts.overview, .least = least, .style = dense});
+    double const words = printed_paragraph(overview_words(subject), {.size = 8.5, .line = 12.8});
+    parts.has_overview = fit_tables(with, room - words, subject.language);
+  };
+  if (subject.plots) {
+    constexpr std::size_t some = 3;
+    auto const whole = overview_table(subject);
+    try_overview(whole, whole.rows.size());
+    if (!parts.has_overview && whole.rows.size() > some) {
+      try_overview(overview_table(subject, OverviewOrder::costliest_first), some);
+    }
+  }
+  if (parts.has_overview) return true;
+  bool fits = fit_tables(tables, room, subject.language);
+  while (!fits && !tables.empty() && tables.front().least > 1) {
+    for (auto& table : tables) --table.least;
+    fits = fit_tables(tables, room, subject.language);
+  }
+  return fits;
+}
+
 }  // namespace
 
-bool has_overview(ReportSubject const& subject) {
-  constexpr std::size_t most_rows = 5;
-  return subject.plots && subject.difference == nullptr && overview_table(subject).rows.size() <= most_rows;
-}
-
 std::string report_overview(ReportSubject const& subject) {
-  auto const feed = exact(subject.highest_feed(), Unit::millimetre_per_minute);
-  return "<div class=\"overview\">" + subject.html({overview_table(subject)}, 3) +
-         paragraph("small", text_of(Words(says::overview_of, {{"feed", feed}}), subject.language)) +
-         "</div>\n";
+  return overview_html(subject, overview_table(subject));
 }
 
-std::string report_cover(ReportSubject const& subject) {
+ReportCoverPage report_cover(ReportSubject const& subject) {
   constexpr int level = 3;
   auto const heading = [&subject](SentenceRef words) {
     return "<h2>" + escaped(subject.say(words)) + "</h2>\n";
   };
-  std::string html = "<header class=\"cover\">\n" + paragraph("kind", subject.say(says::cover_kind)) +
-                     "<h1>" + escaped(subject.cover.title) + "</h1>\n" + "<div class=\"facts\">";
-  for (auto const& facts : {facts_of_people(subject.cover), facts_of_machine(subject)}) {
-    if (auto const table = subject.html({facts}, level); !table.empty()) html += "<div>" + table + "</div>\n";
+  auto const cover = shortened(subject.cover);
+  bool const is_long = title_style(cover.title).size < title_style({}).size;
+  std::vector<Facts> const facts{facts_of_people(cover), facts_of_machine(subject)};
+  auto const [kind, words] = verdict(subject);
+  CoverParts parts;
+  if (subject.difference != nullptr) parts.changes = change_summary(*subject.difference);
+  parts.costs = cost_blocks(subject);
+  parts.to_do = {subject.findings.empty() ? Block(Paragraph{says::nothing_to_do}) : to_do_table(subject)};
+  double const lines_to_sign =
+      55 + printed_height(subject.say(says::for_customer) + ": " + cover.customer, {.width = 240, .is_bold = true});
+  bool const fits = fit(parts, subject, cover_height - height_above(subject, cover.title, facts, words) - lines_to_sign);
+
+  std::string html = std::string("<header class=\"cover") + (fits ? "" : " tight") + "\">\n" +
+                     paragraph("kind", subject.say(says::cover_kind)) + "<h1" +
+                     (is_long ? pictures::attribute("class", "long") : std::string()) + ">" +
+                     escaped(cover.title) + "</h1>\n" + "<div class=\"facts\">";
+  for (auto const& side : facts) {
+    if (auto const table = subject.html({side}, level); !table.empty()) html += "<div>" + table + "</div>\n";
   }
   html += "</div>\n";
-  html += heading(says::may_it_run) + verdict(subject);
-  if (subject.difference != nullptr) {
-    html += heading(says::what_changed) + subject.html(change_summary(*subject.difference), level);
-  }
-  if (subject.plots) {
-    html += heading(says::what_costs) + subject.html(cost_sentences(subject), level);
-    if (has_overview(subject)) html += report_overview(subject);
-  }
-  html += heading(says::to_do);
-  html += subject.findings.empty() ? paragraph("", subject.say(says::nothing_to_do))
-                                   : subject.html({to_do_table(subject)}, level);
+  html += heading(says::may_it_run) + paragraph(kind, words);
+  if (!parts.changes.empty()) html += heading(says::what_changed) + subject.html(parts.changes, level);
+  if (subject.plots) html += heading(says::what_costs) + subject.html(parts.costs, level);
+  bool const is_whole_overview = parts.has_overview && is_whole(parts.overview);
+  if (parts.has_overview) html += overview_html(subject, std::move(parts.overview));
+  html += heading(says::to_do) + subject.html(parts.to_do, level);
   html += "<section class=\"sign\"" + pictures::attribute("aria-label", subject.say(says::signatures)) +
           ">\n" + signature(subject, says::for_maker, {}) +
-          signature(subject, says::for_customer, subject.cover.customer) + "</section>\n";
-  return html + "</header>\n";
+          signature(subject, says::for_customer, cover.customer) + "</section>\n";
+  return {.html = html + "</header>\n", .has_whole_overview = is_whole_overview};
 }
 
 }  // namespace axisc

@@ -2,6 +2,7 @@
 
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
+#include "presentation/pictures/text_width.hpp"
 #include "presentation/writers.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ namespace axisc {
 namespace {
 
 std::string_view style() {
-  return R"(.cover{display:flex;flex-direction:column}.cover h1{font-size:2rem;margin:.1rem 0 .4rem}.cover h2{border:0;font-size:1.1rem;margin:1rem 0 .1rem}
+  return R"(.cover{display:flex;flex-direction:column}.cover h1{font-size:2rem;margin:.1rem 0 .4rem}.cover h1.long{font-size:1.2rem}.cover h2{border:0;font-size:1.1rem;margin:1rem 0 .1rem}
 .cover .kind{margin:0;color:var(--quiet)}.cover p::first-letter,.cover th::first-letter,.overview th::first-letter{text-transform:uppercase}.cover p{margin:.25rem 0}.small{font-size:.85em;color:var(--quiet)}
 .facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(16rem,1fr));gap:0 2rem}.facts table{margin:0}.overview th:nth-child(2){min-width:11rem}
 .verdict{padding:.5rem 1rem;border-left:.4rem solid;background:var(--panel);font-size:1.1rem;font-weight:600}
@@ -33,15 +34,18 @@ std::string_view style() {
 .sign{display:grid;grid-template-columns:1fr 1fr;gap:0 1.5rem;margin-top:1.2rem;break-inside:avoid}.sign .who{grid-column:span 2;font-weight:600}.sign div{display:grid;grid-template-columns:2fr 3fr;gap:0 .8rem}.cover .sign .line{border-top:1px solid var(--ink);margin-top:2.2rem;font-size:.85em;color:var(--quiet)}
 nav ul{list-style:none;padding:0;display:flex;flex-wrap:wrap;gap:.3rem 1.2rem}summary{cursor:pointer;color:var(--link);margin:.5rem 0}
 code{background:var(--panel);padding:0 .2rem}
-@media print{nav,footer,.screen,details:not([open]){display:none}.cover{min-height:262mm;break-after:page}.sign{margin-top:auto}a{text-decoration:none}
-table{display:table;font-size:8.5pt;line-height:1.35}.overview table{font-size:8pt}thead{display:table-header-group}th,td{padding:.1rem .5rem .1rem 0}h3+p,h4+p{break-after:avoid}figure+table{break-inside:avoid}pre{font-size:7.5pt;border:1px solid var(--line)}figure{margin:.4rem 0}h2{margin-top:1.2rem}h3{margin-top:.9rem}figure svg{max-height:150mm}
+@media print{nav,footer,.screen,details:not([open]){display:none}.cover{min-height:262mm;break-after:page}.sign{margin-top:auto}.tight h2{margin-top:.3rem}.tight p{margin:0;line-height:1.3}.tight table{margin:.1rem 0}a{text-decoration:none}
+table{display:table;font-size:8.5pt;line-height:1.35}.overview table{font-size:8pt}thead{display:table-header-group}th,td{padding:.1rem .5rem .1rem 0}h3+p,h4+p{break-after:avoid}figure+table{break-inside:avoid}pre{font-size:7.5pt;border:1px solid var(--line)}figure{margin:.4rem 0}h2{margin-top:1.2rem}h3{margin-top:.9rem}pre.long{break-inside:auto}figure svg{max-height:112mm}
 )";
 }
 
 /// In the margin of each page on paper.
 std::string page_margins(ReportCover const& cover) {
   std::string text;
-  for (char const letter : cover.date.empty() ? cover.title : cover.title + " · " + cover.date) {
+  constexpr double size = 8;
+  constexpr double room = 420;
+  auto const shown = pictures::fitted(cover.date.empty() ? cover.title : cover.title + " · " + cover.date, size, room);
+  for (char const letter : shown) {
     if (letter == '"' || letter == '\\') text += '\\';
     text += letter == '<' ? std::string("\\3C ") : std::string(1, letter);
   }
@@ -69,7 +73,8 @@ double ReportSubject::highest_feed() const {
 
 std::string report_page(ReportSubject const& subject) {
   auto const html = [&subject](ReportBlocks const& blocks) { return subject.html(blocks, 3); };
-  bool const has_own_overview = subject.plots && !has_overview(subject);
+  auto const cover = report_cover(subject);
+  bool const has_own_overview = subject.plots && !cover.has_whole_overview;
   std::vector<Part> const parts = {
       {"overview", says::part_overview, has_own_overview ? report_overview(subject) : std::string()},
       {"findings", says::part_findings, html(findings_section(subject))},
@@ -86,7 +91,7 @@ std::string report_page(ReportSubject const& subject) {
   text += R"(<meta name="viewport" content="width=device-width,initial-scale=1">)";
   text += "\n<title>" + pictures::escaped(title) + "</title>\n<style>\n";
   text.append(pictures::page_style()).append(style()).append(page_margins(subject.cover));
-  text += "</style></head>\n<body><main>\n" + report_cover(subject);
+  text += "</style></head>\n<body><main>\n" + cover.html;
   text += "<nav" + pictures::attribute("aria-label", subject.say(says::content_of)) + "><ul>";
   for (auto const& part : parts) {
     if (part.html.empty()) continue;

@@ -75,13 +75,15 @@ void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const
 [[nodiscard]] std::string report_page(ReportSubject const& subject);
 
 // Its parts.
-/// Title, verdict, costs, what must be done, and lines to sign: HTML.
-[[nodiscard]] std::string report_cover(ReportSubject const& subject);
-/// The cover has it: it is short, and no table of changes comes first.
-[[nodiscard]] bool has_overview(ReportSubject const& subject);
+struct ReportCoverPage {
+  std::string html;
+  bool has_whole_overview = false;  ///< else it has a part of its own
+};
+/// Title, verdict, costs, what must be done, and lines to sign, on one page of paper.
+[[nodiscard]] ReportCoverPage report_cover(ReportSubject const& subject);
 /// The first table and how to read it: HTML; only without errors.
 [[nodiscard]] std::string report_overview(ReportSubject const& subject);
-/// A row for each group of findings, with what must be done; of many rows the first.
+/// A row for each group of findings, with what must be done.
 [[nodiscard]] presentation::Table to_do_table(ReportSubject const& subject);
 [[nodiscard]] ReportBlocks findings_section(ReportSubject const& subject);
 [[nodiscard]] ReportBlocks changes_section(ReportSubject const& subject);

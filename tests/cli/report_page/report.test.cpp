@@ -285,6 +285,75 @@ TEST_CASE("findings of one rule stand together, the worst first") {
   CHECK_THAT(html, Contains("No: errors: 24"));
 }
 
+TEST_CASE("of several channels the cover has a table, and the costliest axes where not all fit") {
+  TemporaryFolder const folder;
+  json machine{{"cycle_time_us", 1000}, {"axes", json::array()}, {"groups", json::array()}};
+  for (int channel = 0; channel < 4; ++channel) {
+    auto axes = json::array();
+    for (int i = 0; i < 4; ++i) {
+      auto const name = std::string(1, "XYZA"[i]) + std::to_string(channel + 1);
+      auto const number = 4 * channel + i + 1;
+      folder.write(name + ".lis", "kopf.achs_nr " + std::to_string(number) +
+                                      "\nkenngr.achs_typ 1\nfilter[0].enable 1\nfilter[0].type LOWPASS\n"
+                                      "filter[0].order 2\nfilter[0].prototype CRIT_DAMPING\nfilter[0].fg_f0 " +
+                                      std::to_string(70 - number) + "\n");
+      machine["axes"].push_back({{"name", name}, {"list", name + ".lis"}});
+      axes.push_back(name);
+    }
+    machine["groups"].push_back({{"name", "Channel " + std::to_string(channel + 1)}, {"axes", axes}});
+  }
+  folder.write("m.json", machine.dump());
+  auto const html = report_of({"m.json", "--tolerance", "0.05"}, folder);
+  check_nesting(html);
+  auto const contour = json::parse(run_axisc({"contour", "m.json", "--feed", "4000", "--tolerance", "0.05",
+                                              "--format", "json"},
+                                             in_folder(folder.path()))
+                                       .out);
+  auto const channels = table_after(html, "the contour of each channel is off by");
+  REQUIRE(contour["groups"].size() == 4);
+  for (auto const& group : contour["groups"]) {
+    std::string const name = group["group"];
+    std::ostringstream corner;
+    corner << std::fixed << std::setprecision(1) << group["contour_deviation_um"].get<double>();
+    CHECK(cell(channels, name, "corner of 90° [µm]") == corner.str());
+    std::ostringstream feed;
+    feed << std::fixed << std::setprecision(0) << group["allowed_feed_mm_per_min"].get<double>();
+    CHECK(cell(channels, name, "tolerance kept at the corner up to [mm/min]") == feed.str());
+  }
+  // The page has no room for all sixteen: the slowest filter costs most.
+  auto const cover = html.substr(0, html.find("</header>"));
+  auto const overview = table_after(cover, "class=\"overview\"");
+  CHECK(overview.size() < 1 + 16);
+  CHECK(overview.at(1).at(0) == "A4");
+  CHECK(table_after(html, "id=\"overview\"").size() == 1 + 16);
+}
+
+TEST_CASE("a cover has room for any title and any number of changes") {
+  TemporaryFolder const folder;
+  std::string machine;
+  for (std::string const state : {"old", "new"}) {
+    std::string axes;
+    for (int i = 0; i < 40; ++i) {
+      auto const name = "a" + std::to_string(i);
+      folder.write(state + "/" + name + ".lis", "kopf.achs_nr " + std::to_string(i + 1) + "\nfilter[0].enable 1\n" +
+                                                    "filter[0].fg_f0 " + std::to_string(state == "old" ? 30 : 40 + i) +
+                                                    "\n");
+      axes += std::string(i > 0 ? "," : "") + R"({"name": ")" + name + R"(", "list": ")" + name + R"(.lis"})";
+    }
+    folder.write(state + "/m.json", R"({"cycle_time_us": 1000, "axes": [)" + axes + "]}");
+  }
+  std::string title;
+  for (int i = 0; i < 100; ++i) title += "milling machine ";
+  auto const html = report_of({"new/m.json", "--before", "old/m.json", "--title", title}, folder);
+  check_nesting(html);
+  auto const cover = html.substr(0, html.find("</header>"));
+  CHECK_THAT(cover, Contains("<h1 class=\"long\">milling") && Contains("…</h1>"));
+  auto const changed = table_after(cover, "What has changed?");
+  CHECK(changed.size() > 2);
+  CHECK(changed.size() < 20);
+  CHECK_THAT(html, Contains("<title>" + title.substr(0, title.size())));
+}
+
 TEST_CASE("the report's programs are those of simulate") {
   TemporaryFolder const folder;
   auto const html = report_of({mill, "--lang", "de"}, folder);
@@ -391,8 +460,11 @@ TEST_CASE("of a thousand findings the first 500 are shown and the others counted
   std::string list;
   for (int i = 0; i < 1000; ++i) list += "filter[0].order 99\n";
   folder.write("x.lis", list);
+  // After more than 500 of one rule another one is still shown in full.
+  folder.write("x.lis", list + "filter[1].fg_f0 40Hz\n");
   auto const text = text_of(report_of({"x.lis", "--cycle-time", "1ms"}, folder, 1));
   CHECK_THAT(text, Contains("more findings"));
+  CHECK_THAT(text, Contains("x.lis:1001:"));
 }
 
 TEST_CASE("a report needs an output that is none of its inputs") {
