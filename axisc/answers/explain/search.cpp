@@ -98,6 +98,7 @@ std::optional<Hit> slip(SearchEntry const& entry, Query const& query) {
 }
 
 bool is_slip_of(std::string const& word, std::string const& known) {
+  if (is_number(known)) return false;
   auto const accepted = accepted_slips(word.size());
   auto const [shorter, longer] = std::minmax({word.size(), known.size()});
   return accepted > 0 && longer - shorter <= accepted && accepted_slips(known.size()) > 0 &&

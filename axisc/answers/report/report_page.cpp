@@ -35,7 +35,7 @@ std::string_view style() {
 nav ul{list-style:none;padding:0;display:flex;flex-wrap:wrap;gap:.3rem 1.2rem}summary{cursor:pointer;color:var(--link);margin:.5rem 0}
 code{background:var(--panel);padding:0 .2rem}
 @media print{nav,footer,.screen,details:not([open]){display:none}.cover{min-height:262mm;break-after:page}.sign{margin-top:auto}.tight h2{margin-top:.3rem}.tight p{margin:0;line-height:1.3}.tight table{margin:.1rem 0}a{text-decoration:none}
-table{display:table;font-size:8.5pt;line-height:1.35}.overview table{font-size:8pt}thead{display:table-header-group}th,td{padding:.1rem .5rem .1rem 0}h3+p,h4+p{break-after:avoid}figure+table{break-inside:avoid}pre{font-size:7.5pt;border:1px solid var(--line)}figure{margin:.4rem 0}h2{margin-top:1.2rem}h3{margin-top:.9rem}pre.long{break-inside:auto}figure svg{max-height:112mm}
+table{display:table;font-size:8.5pt;line-height:1.35}.overview table{font-size:8pt}thead{display:table-header-group}th,td{padding:.1rem .5rem .1rem 0}h3+p,h4+p{break-after:avoid}figure+table{break-inside:avoid}pre{font-size:7.5pt;border:1px solid var(--line)}figure{margin:.4rem 0}h2{margin-top:1.2rem}h3{margin-top:.9rem}pre.long{break-inside:auto}figure svg{max-height:96mm}
 )";
 }
 

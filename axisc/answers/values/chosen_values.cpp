@@ -52,18 +52,20 @@ bool begins(std::string_view name, std::string_view beginning) {
   return is_longer && (name[beginning.size()] == '.' || name[beginning.size()] == '[');
 }
 
-/// What the search for words finds, as lists have it.
+/// What numbers and words lead to, as lists have it.
 std::string found_names(schema::Catalogue const& catalogue, std::string const& name) {
   constexpr std::size_t most = 3;
   std::vector<std::string> names;
+  auto const add = [&names](schema::Parameter const& row) {
+    if (names.size() < most) names.push_back(schema::slot_name(row, row.first_slot));
+  };
   try {
     std::vector const catalogues{catalogue};
-    for (auto const& hit : explain_subject(catalogues, name).hits) {
+    auto const subject = explain_subject(catalogues, name);
+    for (auto const* const row : subject.parameters) add(*row);
+    for (auto const& hit : subject.hits) {
       auto const* const row = std::get_if<schema::Parameter const*>(&hit.subject);
-      bool const is_like = row != nullptr && hit.likeness < Likeness::some_words;
-      if (is_like && names.size() < most) {
-        names.push_back(schema::slot_name(**row, (*row)->first_slot));
-      }
+      if (row != nullptr && hit.likeness < Likeness::some_words) add(**row);
     }
   } catch (Failure const&) {
     // Nothing is like it.

@@ -192,6 +192,7 @@ TEST_CASE("a number that no message has is not taken for another") {
   CHECK(failure("Fehler 50999") == "nothing is found for \"Fehler 50999\"; did you mean 50989?");
   CHECK(failure("50999") == "nothing is found for \"50999\"; did you mean 50989?");
   CHECK_THAT(failure("xyzzy"), Catch::Matchers::StartsWith("nothing is found for \"xyzzy\": "));
+  CHECK_THAT(failure("G999"), Catch::Matchers::StartsWith("nothing is found for \"G999\""));
   CHECK_THAT(failure("?"), Catch::Matchers::StartsWith("nothing is found for \"?\": "));
 }
 

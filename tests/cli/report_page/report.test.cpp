@@ -311,7 +311,13 @@ TEST_CASE("of several channels the cover has a table, and the costliest axes whe
                                        .out);
   auto const channels = table_after(html, "the contour of each channel is off by");
   REQUIRE(contour["groups"].size() == 4);
+  std::pair<double, std::string> costliest;
   for (auto const& group : contour["groups"]) {
+    for (auto const& errors : {group["axis_error_um"], group["circle"]["axis_error_um"]}) {
+      for (auto const& [axis, error] : errors.items()) {
+        costliest = std::max(costliest, std::pair(error.get<double>(), axis));
+      }
+    }
     std::string const name = group["group"];
     std::ostringstream corner;
     corner << std::fixed << std::setprecision(1) << group["contour_deviation_um"].get<double>();
@@ -320,11 +326,11 @@ TEST_CASE("of several channels the cover has a table, and the costliest axes whe
     feed << std::fixed << std::setprecision(0) << group["allowed_feed_mm_per_min"].get<double>();
     CHECK(cell(channels, name, "tolerance kept at the corner up to [mm/min]") == feed.str());
   }
-  // The page has no room for all sixteen: the slowest filter costs most.
+  // The page has no room for all sixteen.
   auto const cover = html.substr(0, html.find("</header>"));
   auto const overview = table_after(cover, "class=\"overview\"");
   CHECK(overview.size() < 1 + 16);
-  CHECK(overview.at(1).at(0) == "A4");
+  CHECK(overview.at(1).at(0) == costliest.second);
   CHECK(table_after(html, "id=\"overview\"").size() == 1 + 16);
 }
 
@@ -351,7 +357,7 @@ TEST_CASE("a cover has room for any title and any number of changes") {
   auto const changed = table_after(cover, "What has changed?");
   CHECK(changed.size() > 2);
   CHECK(changed.size() < 20);
-  CHECK_THAT(html, Contains("<title>" + title.substr(0, title.size())));
+  CHECK_THAT(html, Contains("<title>" + title));
 }
 
 TEST_CASE("the report's programs are those of simulate") {
