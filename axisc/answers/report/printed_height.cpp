@@ -4,6 +4,7 @@
 #include "presentation/shown_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,9 @@ double lines_of(std::string_view text, PrintedText const& style) {
     }
     at += (at > 0 ? space : 0) + width;
     // What has no space is broken, or leaves its column.
-    for (; at > style.width; at -= style.width) ++lines;
+    double const further = std::max(0.0, std::ceil(at / style.width) - 1);
+    lines += further;
+    at -= further * style.width;
   });
   return lines;
 }
