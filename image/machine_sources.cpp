@@ -92,17 +92,13 @@ extern const size_t machine_image_size;
 }
 
 std::string machine_source(std::span<std::byte const> bytes) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  constexpr std::size_t in_a_line = 18;
+  constexpr std::size_t in_a_line = 16;  // records begin at whole lines, and the text packs well
   std::string text =
       "#include \"machine.h\"\n\nconst size_t machine_image_size = " + std::to_string(bytes.size()) +
       ";\n\nconst unsigned char machine_image[] = {";
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    auto const value = std::to_integer<unsigned>(bytes[i]);
-    text += i % in_a_line == 0 ? "\n  0x" : " 0x";
-    text += digits[value >> 4U];
-    text += digits[value & 0xFU];
-    text += ',';
+    if (i % in_a_line == 0) text += '\n';
+    text += std::to_string(std::to_integer<unsigned>(bytes[i])) + ',';
   }
   return text + "\n};\n";
 }

@@ -39,20 +39,26 @@ bool is_windows(image::FmuPlatform const& platform) {
 std::vector<std::string> command(image::Fmu const& fmu, image::FmiVersion version,
                                  image::FmuPlatform const& platform, TemporaryFolder const& folder,
                                  std::string const& library) {
+  // Small, since FMUs are sent and kept.
   std::vector<std::string> words{is_windows(platform) ? windows_compiler : linux_compiler,
                                  "-std=c99",
                                  "-Os",
                                  "-fno-asynchronous-unwind-tables",
+                                 "-fno-ident",
+                                 "-ffunction-sections",
+                                 "-fdata-sections",
                                  "-ffp-contract=off",
                                  "-fvisibility=hidden",
                                  "-shared",
-                                 "-s"};
+                                 "-s",
+                                 "-nostartfiles",  // nothing is constructed when it is loaded
+                                 "-Wl,--gc-sections"};
   if (is_windows(platform)) {
-    // By itself the linker derives the address from the name of the file.
-    words.insert(words.end(),
-                 {"-static-libgcc", "-Wl,--no-insert-timestamp", "-Wl,--disable-auto-image-base"});
+    // No entry point. And by itself the linker derives the address from the name of the file.
+    words.insert(words.end(), {"-static-libgcc", "-Wl,-e,0", "-Wl,--no-insert-timestamp",
+                               "-Wl,--disable-auto-image-base"});
   } else {
-    words.emplace_back("-fPIC");
+    words.insert(words.end(), {"-fPIC", "-Wl,-z,noseparate-code", "-Wl,--build-id=none"});
   }
   words.emplace_back(version == image::FmiVersion::three ? "-DFMI3_OVERRIDE_FUNCTION_PREFIX"
                                                          : "-DFMI2_OVERRIDE_FUNCTION_PREFIX");

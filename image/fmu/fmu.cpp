@@ -1,10 +1,14 @@
 #include "image/fmu/fmu.hpp"
 
 #include "embedded.hpp"
+#include "image/fmu/compact_source.hpp"
 #include "image/fmu/descriptions.hpp"
 #include "image/fmu/documentation.hpp"
 #include "image/fmu/runtime_size.hpp"
 #include "image/machine_sources.hpp"
+
+#include <array>
+#include <utility>
 
 namespace axisc::image {
 
@@ -45,12 +49,15 @@ std::variant<Fmu, EqualNames> fmu_of(std::span<std::byte const> image, ImageCont
     fmu.files.push_back({.name = std::string(folder) + std::string(name), .content = std::string(content)});
   };
   add("", "modelDescription.xml", model_description(model, options, sources));
-  add("sources/", version.source, version.source_text());
-  add("sources/", version.header, version.header_text());
-  add("sources/", "fmu_core.c", embedded::fmu_core_c());
-  add("sources/", "fmu_core.h", embedded::fmu_core_h());
-  add("sources/", "axisrt_c.c", embedded::axisrt_c_source());
-  add("sources/", "axisrt_c.h", embedded::axisrt_c_header());
+  std::array<std::pair<std::string_view, std::string_view>, 6> const texts{{
+      {version.source, version.source_text()},
+      {version.header, version.header_text()},
+      {"fmu_core.c", embedded::fmu_core_c()},
+      {"fmu_core.h", embedded::fmu_core_h()},
+      {"axisrt_c.c", embedded::axisrt_c_source()},
+      {"axisrt_c.h", embedded::axisrt_c_header()},
+  }};
+  for (auto const& [name, text] : texts) add("sources/", name, compact_source(text));
   add("sources/", "machine.c", machine_source(bytes));
   add("sources/", "machine.h", machine_header(contents, header_of(model, contents, version.prefix)));
   if (options.version == FmiVersion::three) {

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint16_t version = 20;  // of the format that is needed: deflate
 constexpr std::uint16_t stored = 0, deflated = 8;
 constexpr std::uint16_t first_day = 0x21;  // 1980-01-01
+constexpr int memory_level = 6;            // more of it makes longer blocks, which pack libraries worse
 
 void put16(std::string& bytes, std::size_t value) {
   bytes += static_cast<char>(value & 0xFFU);
@@ -24,7 +25,7 @@ void put32(std::string& bytes, std::size_t value) {
 
 std::string deflated_bytes(std::string const& content) {
   z_stream stream{};
-  deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY);
+  deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, memory_level, Z_DEFAULT_STRATEGY);
   std::string bytes(deflateBound(&stream, static_cast<uLong>(content.size())), '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));  // zlib does not write there
   stream.avail_in = static_cast<uInt>(content.size());

@@ -185,7 +185,7 @@ class Reference {
 };
 
 struct Counts {
-  std::uint64_t values = 0, commands = 0;
+  std::uint64_t values = 0, commands = 0, images_with_commands = 0;
 };
 
 void compare(std::vector<std::string> const& printed, std::vector<std::vector<double>> const& expected,
@@ -204,32 +204,28 @@ void compare(std::vector<std::string> const& printed, std::vector<std::vector<do
   }
 }
 
-Counts run_random_images(std::uint32_t first, std::uint32_t last) {
-  Counts counts;
-  for (std::uint32_t seed = first; seed < last; ++seed) {
-    INFO("seed " << seed);
-    auto const version = seed % 2 == 0 ? image::FmiVersion::three : image::FmiVersion::two;
-    auto const record = named_image(seed);
-    auto const bytes = write_image(record);
-    AlignedMemory const aligned{bytes};
-    auto const span = std::as_bytes(std::span(aligned.data(), aligned.size()));
-    auto const contents = image::read_image(span);
-    REQUIRE(std::holds_alternative<image::ImageContents>(contents));
-    auto const made = image::fmu_of(span, std::get<image::ImageContents>(contents),
-                                    {.version = version, .name = "random", .complete = seed % 3 == 0});
-    REQUIRE(std::holds_alternative<image::Fmu>(made));
-    TemporaryFolder const folder;
-    for (auto const& file : std::get<image::Fmu>(made).files) folder.write(file.name, file.content);
-    UnpackedFmu const fmu(folder.path(), version);
-    fmu.compile();
-    Reference reference(record, bytes, fmu);
-    Random random(seed);
-    reference.start(random);
-    for (int cycle = 0; cycle < 200; ++cycle) reference.cycle(random);
-    compare(fmu.run(reference.scenario, fmu.outputs()), reference.lines, counts);
-    counts.commands += reference.commands;
-  }
-  return counts;
+void run_image(std::uint32_t seed, ImageRecord const& record, Counts& counts) {
+  INFO("seed " << seed);
+  auto const version = seed % 2 == 0 ? image::FmiVersion::three : image::FmiVersion::two;
+  auto const bytes = write_image(record);
+  AlignedMemory const aligned{bytes};
+  auto const span = std::as_bytes(std::span(aligned.data(), aligned.size()));
+  auto const contents = image::read_image(span);
+  REQUIRE(std::holds_alternative<image::ImageContents>(contents));
+  auto const made = image::fmu_of(span, std::get<image::ImageContents>(contents),
+                                  {.version = version, .name = "random", .complete = seed % 3 == 0});
+  REQUIRE(std::holds_alternative<image::Fmu>(made));
+  TemporaryFolder const folder;
+  for (auto const& file : std::get<image::Fmu>(made).files) folder.write(file.name, file.content);
+  UnpackedFmu const fmu(folder.path(), version);
+  fmu.compile();
+  Reference reference(record, bytes, fmu);
+  Random random(seed);
+  reference.start(random);
+  for (int cycle = 0; cycle < 200; ++cycle) reference.cycle(random);
+  compare(fmu.run(reference.scenario, fmu.outputs()), reference.lines, counts);
+  counts.commands += reference.commands;
+  if (reference.commands > 0) counts.images_with_commands += 1;
 }
 
 }  // namespace
@@ -239,12 +235,18 @@ TEST_CASE("FMUs of random images compute what axisrt computes, bit for bit") {
     WARN("cc is not installed");
     return;
   }
-  auto const counts = run_random_images(0, 6);
+  Counts counts;
+  for (std::uint32_t seed = 0; seed < 6; ++seed) run_image(seed, named_image(seed), counts);
   CHECK(counts.values > 10'000);
   CHECK(counts.commands > 30);
 }
 
-TEST_CASE("FMUs of two hundred random images compute what axisrt computes", "[.long]") {
-  auto const counts = run_random_images(6, 206);
+TEST_CASE("FMUs of two hundred random images with commands compute what axisrt computes", "[.long]") {
+  Counts counts;
+  for (std::uint32_t seed = 6; counts.images_with_commands < 200; ++seed) {
+    REQUIRE(seed < 1000);
+    auto const record = named_image(seed);
+    if (!record.groups.empty()) run_image(seed, record, counts);  // a third of them has no channel
+  }
   WARN(counts.values << " values were equal, with " << counts.commands << " commands");
 }

@@ -256,6 +256,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("an FMU is small") {
+  TemporaryFolder const folder;
+  auto const fmu = folder / "mill.fmu";
+  std::string const line = "export " AXISC_SOURCE_DIR "/samples/mill/machine.json --to fmu3 -o " + fmu;
+  REQUIRE(axisc_program(line + " --binaries none"));
+  CHECK(fs::file_size(fmu) < 35'000);
+  if (!is_installed("cc") || !is_installed("x86_64-w64-mingw32-gcc-posix")) {
+    WARN("cc or MinGW is not installed");
+    return;
+  }
+  REQUIRE(axisc_program(line + " --binaries linux64,win64"));
+  CHECK(fs::file_size(fmu) < 70'000);
+}
+
 TEST_CASE("libraries of an FMU compute the same under Windows", "[.long]") {
   std::string const compiler = "x86_64-w64-mingw32-gcc-posix", wine = "/usr/lib/wine/wine64";
   if (!is_installed(compiler) || !is_installed(wine)) {

@@ -1,5 +1,6 @@
 // What no XSD checks of an FMU: references, names, starts, units, types, files. And the XSDs, where they are.
 #include "axisrt_c.h"
+#include "image/fmu/compact_source.hpp"
 #include "image/fmu/fmu.hpp"
 #include "image/fmu/names.hpp"
 #include "image/fmu/runtime_size.hpp"
@@ -219,6 +220,35 @@ TEST_CASE("names in FMUs are identifiers or quoted") {
   CHECK(image::identifier("mill") == "mill");
   CHECK(image::identifier("5-axis mill") == "_5_axis_mill");
   CHECK(image::identifier("") == "model");
+}
+
+TEST_CASE("sources in FMUs have one comment each, and are to a compiler what they are in the project") {
+  CHECK(image::compact_source("/* file */\nint a; /* why\n * so */\n/* part */\n\nint b;\n") ==
+        "/* file */\nint a;\n\nint b;\n");
+  CHECK(image::compact_source("a /* b */ c\n") == "a  c\n");
+  std::string const literals = R"(char const* s = "/* no \" comment */", c = '"', d = '\''; int e;)";
+  CHECK(image::compact_source(literals + " /* one */\n") == literals + "\n");
+  if (!is_installed("cc")) return;
+  Loaded const image(named(3));
+  for (auto const version : {FmiVersion::two, FmiVersion::three}) {
+    TemporaryFolder const folder;
+    for (auto const& file : image.fmu({.version = version, .name = "m"}).files) {
+      folder.write(file.name, file.content);
+    }
+    std::string const runtime = AXISC_SOURCE_DIR "/runtime/", sources = folder / "sources";
+    std::string const interface = version == FmiVersion::two ? "fmu/fmi2.c" : "fmu/fmi3.c";
+    for (std::string const& file :
+         {std::string("c99/axisrt_c.c"), std::string("fmu/fmu_core.c"), interface}) {
+      INFO(file);
+      auto const name = file.substr(file.find('/') + 1);
+      auto const preprocess = "cc -std=c99 -E -P -I " + runtime + "c99 -I " + sources + " ";
+      REQUIRE(shell(preprocess + sources + "/" + name + " -o " + (folder / "of_fmu")));
+      REQUIRE(shell(preprocess + runtime + file + " -o " + (folder / "of_project")));
+      CHECK(folder.read("of_fmu") == folder.read("of_project"));
+      auto const text = folder.read("sources/" + name);
+      CHECK(text.find("/*", text.find("*/")) == std::string::npos);
+    }
+  }
 }
 
 TEST_CASE("equal names of axes are no FMU") {

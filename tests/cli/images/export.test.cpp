@@ -168,7 +168,6 @@ TEST_CASE("an FMU is the same bytes each time, and its libraries too") {
   auto const fmu = folder.read("mill.fmu");
   CHECK(outcome.err == (folder / "mill.fmu") + ": written, axes: 4, libraries: none, " +
                            std::to_string(fmu.size()) + " bytes\n");
-  CHECK(fmu.size() < 70'000);
   fs::create_directory(folder / "again");
   auto const again = folder / "again/mill.fmu";
   REQUIRE(
