@@ -80,8 +80,8 @@ class HtmlWriter {
     // On paper what is short stays on one page.
     constexpr auto most_kept_together = 14;
     bool const is_long = std::count(verbatim.text.begin(), verbatim.text.end(), '\n') > most_kept_together;
-    html_ += std::string("<pre tabindex=\"0\"") + (is_long ? R"( class="long">)" : ">") + escaped(verbatim.text) +
-             "</pre>\n";
+    html_ += std::string("<pre tabindex=\"0\"") + (is_long ? R"( class="long">)" : ">") +
+             escaped(verbatim.text) + "</pre>\n";
   }
   void operator()(Prose const& prose) { blocks(blocks_of(prose, language_)); }
   void operator()(Picture const& picture) { html_ += pictures::figure_element(picture.figure, language_); }

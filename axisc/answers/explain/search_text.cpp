@@ -27,12 +27,13 @@ constexpr std::string_view plain_letters(char second_byte) {
 }
 
 constexpr std::array<std::string_view, 61> fillers = {
-    "a",       "achse",   "alarm", "am",    "an",      "are",     "at",    "axis",  "bei",   "bedeutet",
-    "code",    "das",     "den",   "der",   "des",     "die",     "do",    "does",  "e",     "ein",   "eine",
-    "einen",   "err",     "error", "fault", "fehler",  "for",     "from",  "fur",   "given", "heisst",
-    "how",     "id",      "im",    "in",    "is",      "ist",     "kanal", "macht", "mean",  "means",
-    "meldung", "message", "mit",   "my",    "nr",      "of",      "on",    "p",     "set",   "setzen",
-    "the",     "to",      "und",   "von",   "warnung", "warning", "was",   "what",  "wie",   "zu"};
+    "a",        "achse",   "alarm",   "am",     "an",    "are",     "at",      "axis",   "bei",
+    "bedeutet", "code",    "das",     "den",    "der",   "des",     "die",     "do",     "does",
+    "e",        "ein",     "eine",    "einen",  "err",   "error",   "fault",   "fehler", "for",
+    "from",     "fur",     "given",   "heisst", "how",   "id",      "im",      "in",     "is",
+    "ist",      "kanal",   "macht",   "mean",   "means", "meldung", "message", "mit",    "my",
+    "nr",       "of",      "on",      "p",      "set",   "setzen",  "the",     "to",     "und",
+    "von",      "warnung", "warning", "was",    "what",  "wie",     "zu"};
 
 }  // namespace
 

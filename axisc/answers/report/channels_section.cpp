@@ -30,8 +30,7 @@ void add_circles(ReportBlocks& blocks, ReportSubject const& subject, std::size_t
   auto const& feeds = subject.contour.feeds;
   constexpr std::size_t most_planes = 3;
   constexpr std::size_t most_pictures = 6;
-  auto const planes =
-      std::clamp<std::size_t>(most_pictures / subject.contours.size(), 1, most_planes);
+  auto const planes = std::clamp<std::size_t>(most_pictures / subject.contours.size(), 1, most_planes);
   auto test = channel_circles(
       {.path = subject.input, .machine = *subject.machine, .image = subject.plots->contents()}, group,
       *std::max_element(feeds.begin(), feeds.end()), subject.contour.radius_mm);

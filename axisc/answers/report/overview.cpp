@@ -21,7 +21,8 @@ constexpr Sentence overview_circle{"circle, r {radius}", "Kreis, r {radius}"};
 constexpr Sentence overview_margin{"margin to {tolerance}", "Reserve bis {tolerance}"};
 constexpr Sentence channels_off{"At {feed} the contour of each channel is off by:",
                                 "Bei {feed} weicht die Bahn jedes Kanals ab um:"};
-constexpr Sentence kept_at_corner{"tolerance kept at the corner up to", "Toleranz an der Ecke eingehalten bis"};
+constexpr Sentence kept_at_corner{"tolerance kept at the corner up to",
+                                  "Toleranz an der Ecke eingehalten bis"};
 constexpr Sentence kept_on_circle{"on the circle up to", "auf dem Kreis bis"};
 constexpr Sentence overview_findings{"findings", "Befunde"};
 constexpr Sentence overview_others{"several axes, machine", "mehrere Achsen, Maschine"};
@@ -185,14 +186,14 @@ Table channels_table(ReportSubject const& subject) {
     if (!contour) continue;
     auto const& one = fastest(*contour);
     auto const limits = contour->limits.value_or(ContourLimits());
-    add_row(table,
-            {{"channel", labels::channel, contour->name.empty() ? Value(Names(contour->axes)) : contour->name},
-             {"corner_um", corner_label(subject), um(one.corner.deviation)},
-             {"passed_um", says::overview_passed,
-              one.passed_corner ? Value(um(one.passed_corner->deviation)) : Value()},
-             {"circle_um", circle_label(subject), um(one.circle.deviation)},
-             {"corner_feed", says::kept_at_corner, feed(limits.corner_feed)},
-             {"circle_feed", says::kept_on_circle, feed(limits.circle_feed)}});
+    add_row(table, {{"channel", labels::channel,
+                     contour->name.empty() ? Value(Names(contour->axes)) : contour->name},
+                    {"corner_um", corner_label(subject), um(one.corner.deviation)},
+                    {"passed_um", says::overview_passed,
+                     one.passed_corner ? Value(um(one.passed_corner->deviation)) : Value()},
+                    {"circle_um", circle_label(subject), um(one.circle.deviation)},
+                    {"corner_feed", says::kept_at_corner, feed(limits.corner_feed)},
+                    {"circle_feed", says::kept_on_circle, feed(limits.circle_feed)}});
   }
   return table;
 }
@@ -265,11 +266,9 @@ Table overview_table(ReportSubject const& subject, OverviewOrder order) {
               cost != nullptr ? Value(rounded(cost->delay_ms, Unit::millisecond, 4)) : Value()},
              {"start_ms", says::overview_start,
               quantity_or({}, cost != nullptr ? cost->start_ms : std::nullopt, Unit::millisecond)},
-             {"corner_um",
-              corner_label(subject), of(&AxisCost::corner_um)},
+             {"corner_um", corner_label(subject), of(&AxisCost::corner_um)},
              {"passed_um", says::overview_passed, of(&AxisCost::passed_um)},
-             {"circle_um",
-              circle_label(subject), of(&AxisCost::circle_um)},
+             {"circle_um", circle_label(subject), of(&AxisCost::circle_um)},
              {"margin_um",
               Words(says::overview_margin, {{"tolerance", exact(tolerance.value_or(0), Unit::millimetre)}}),
               margin},

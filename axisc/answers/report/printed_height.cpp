@@ -40,8 +40,7 @@ void for_each_word(std::string_view text, Take take) {
 
 double widest_word(std::string_view text, PrintedText const& style) {
   double widest = 0;
-  for_each_word(text,
-                [&](std::string_view word) { widest = std::max(widest, width_of(word, style)); });
+  for_each_word(text, [&](std::string_view word) { widest = std::max(widest, width_of(word, style)); });
   return widest;
 }
 

@@ -1,5 +1,5 @@
-// How high text and tables become on paper, without a browser at hand: an upper estimate, laid out as browsers
-// do, in the widest of the usual fonts.
+// How high text and tables become on paper, without a browser at hand: an upper estimate, laid out as
+// browsers do, in the widest of the usual fonts.
 #pragma once
 
 #include "presentation/document.hpp"

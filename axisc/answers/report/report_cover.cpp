@@ -86,10 +86,11 @@ std::pair<std::string_view, std::string> verdict(ReportSubject const& subject) {
       : counts.warnings > 0           ? std::pair("verdict warning", SentenceRef(says::verdict_warnings))
                                       : std::pair("verdict good", SentenceRef(says::verdict_good));
   auto const tolerance = exact(subject.contour.tolerance_mm.value_or(0), Unit::millimetre);
-  return {kind, text_of(Words(sentence, {{"counts", counted},
-                                         {"tolerance", tolerance},
-                                         {"feed", exact(subject.highest_feed(), Unit::millimetre_per_minute)}}),
-                        subject.language)};
+  return {kind,
+          text_of(Words(sentence, {{"counts", counted},
+                                   {"tolerance", tolerance},
+                                   {"feed", exact(subject.highest_feed(), Unit::millimetre_per_minute)}}),
+                  subject.language)};
 }
 
 std::string overview_words(ReportSubject const& subject) {
@@ -148,7 +149,8 @@ ReportCover shortened(ReportCover cover) {
 /// Everything above the first table.
 double height_above(ReportSubject const& subject, std::string const& title, std::vector<Facts> const& facts,
                     std::string const& verdict) {
-  double height = printed_paragraph(subject.say(says::cover_kind)) + printed_height(title, title_style(title)) + 6;
+  double height =
+      printed_paragraph(subject.say(says::cover_kind)) + printed_height(title, title_style(title)) + 6;
   bool const is_alone = facts.front().fields.empty() || facts.back().fields.empty();
   double const width = is_alone ? PrintedText().width : 243;
   double highest = 0;
@@ -218,9 +220,10 @@ ReportCoverPage report_cover(ReportSubject const& subject) {
   if (subject.difference != nullptr) parts.changes = change_summary(*subject.difference);
   parts.costs = cost_blocks(subject);
   parts.to_do = {subject.findings.empty() ? Block(Paragraph{says::nothing_to_do}) : to_do_table(subject)};
-  double const lines_to_sign =
-      55 + printed_height(subject.say(says::for_customer) + ": " + cover.customer, {.width = 240, .is_bold = true});
-  bool const fits = fit(parts, subject, cover_height - height_above(subject, cover.title, facts, words) - lines_to_sign);
+  double const lines_to_sign = 55 + printed_height(subject.say(says::for_customer) + ": " + cover.customer,
+                                                   {.width = 240, .is_bold = true});
+  bool const fits =
+      fit(parts, subject, cover_height - height_above(subject, cover.title, facts, words) - lines_to_sign);
 
   std::string html = std::string("<header class=\"cover") + (fits ? "" : " tight") + "\">\n" +
                      paragraph("kind", subject.say(says::cover_kind)) + "<h1" +

@@ -44,7 +44,8 @@ std::string page_margins(ReportCover const& cover) {
   std::string text;
   constexpr double size = 8;
   constexpr double room = 420;
-  auto const shown = pictures::fitted(cover.date.empty() ? cover.title : cover.title + " · " + cover.date, size, room);
+  auto const shown =
+      pictures::fitted(cover.date.empty() ? cover.title : cover.title + " · " + cover.date, size, room);
   for (char const letter : shown) {
     if (letter == '"' || letter == '\\') text += '\\';
     text += letter == '<' ? std::string("\\3C ") : std::string(1, letter);

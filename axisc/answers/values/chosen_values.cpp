@@ -82,8 +82,7 @@ std::string found_names(schema::Catalogue const& catalogue, std::string const& n
 
 /// `filter[9].order`, of which there are three.
 [[noreturn]] void refuse_index(schema::Parameter const& row, std::string const& name) {
-  auto const last =
-      static_cast<schema::Slot>(static_cast<std::uint32_t>(row.first_slot) + row.slots - 1U);
+  auto const last = static_cast<schema::Slot>(static_cast<std::uint32_t>(row.first_slot) + row.slots - 1U);
   throw Failure({says::index_needed,
                  {{"name", name},
                   {"first", schema::slot_name(row, row.first_slot)},

@@ -293,10 +293,11 @@ TEST_CASE("of several channels the cover has a table, and the costliest axes whe
     for (int i = 0; i < 4; ++i) {
       auto const name = std::string(1, "XYZA"[i]) + std::to_string(channel + 1);
       auto const number = 4 * channel + i + 1;
-      folder.write(name + ".lis", "kopf.achs_nr " + std::to_string(number) +
-                                      "\nkenngr.achs_typ 1\nfilter[0].enable 1\nfilter[0].type LOWPASS\n"
-                                      "filter[0].order 2\nfilter[0].prototype CRIT_DAMPING\nfilter[0].fg_f0 " +
-                                      std::to_string(70 - number) + "\n");
+      folder.write(name + ".lis",
+                   "kopf.achs_nr " + std::to_string(number) +
+                       "\nkenngr.achs_typ 1\nfilter[0].enable 1\nfilter[0].type LOWPASS\n"
+                       "filter[0].order 2\nfilter[0].prototype CRIT_DAMPING\nfilter[0].fg_f0 " +
+                       std::to_string(70 - number) + "\n");
       machine["axes"].push_back({{"name", name}, {"list", name + ".lis"}});
       axes.push_back(name);
     }
@@ -305,10 +306,10 @@ TEST_CASE("of several channels the cover has a table, and the costliest axes whe
   folder.write("m.json", machine.dump());
   auto const html = report_of({"m.json", "--tolerance", "0.05"}, folder);
   check_nesting(html);
-  auto const contour = json::parse(run_axisc({"contour", "m.json", "--feed", "4000", "--tolerance", "0.05",
-                                              "--format", "json"},
-                                             in_folder(folder.path()))
-                                       .out);
+  auto const contour = json::parse(
+      run_axisc({"contour", "m.json", "--feed", "4000", "--tolerance", "0.05", "--format", "json"},
+                in_folder(folder.path()))
+          .out);
   auto const channels = table_after(html, "the contour of each channel is off by");
   REQUIRE(contour["groups"].size() == 4);
   std::pair<double, std::string> costliest;
@@ -341,9 +342,9 @@ TEST_CASE("a cover has room for any title and any number of changes") {
     std::string axes;
     for (int i = 0; i < 40; ++i) {
       auto const name = "a" + std::to_string(i);
-      folder.write(state + "/" + name + ".lis", "kopf.achs_nr " + std::to_string(i + 1) + "\nfilter[0].enable 1\n" +
-                                                    "filter[0].fg_f0 " + std::to_string(state == "old" ? 30 : 40 + i) +
-                                                    "\n");
+      folder.write(state + "/" + name + ".lis", "kopf.achs_nr " + std::to_string(i + 1) +
+                                                    "\nfilter[0].enable 1\n" + "filter[0].fg_f0 " +
+                                                    std::to_string(state == "old" ? 30 : 40 + i) + "\n");
       axes += std::string(i > 0 ? "," : "") + R"({"name": ")" + name + R"(", "list": ")" + name + R"(.lis"})";
     }
     folder.write(state + "/m.json", R"({"cycle_time_us": 1000, "axes": [)" + axes + "]}");
