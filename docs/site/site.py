@@ -131,10 +131,13 @@ def write_subjects(folder, language, subjects, called):
             write(folder / kind / "index.md", f"# {words['title']}\n\n{words['about']}\n\n| | |\n|---|---|\n{rows}")
 
 
-def write_guides(folder, subjects):
+def write_guides(folder, language, subjects):
     docs = SOURCES / "docs"
     texts = {path.name: path.read_text(encoding="utf-8") for path in docs.glob("*.md")}
     del texts["rules.md"], texts["README.md"]
+    if language != "en":  # some guides are translated; their links count from a folder below docs/
+        for path in (docs / language).glob("*.md"):
+            texts[path.name] = path.read_text(encoding="utf-8").replace("](../", "](")
     listed = {name for _, names in GUIDES for name in names}
     if missing := set(texts) ^ listed:
         sys.exit(f"site.py: words.py and docs/ do not have the same guides: {', '.join(sorted(missing))}")
@@ -179,7 +182,7 @@ def build(language):
     called = search.words_of(SOURCES / "schema" / "lookup" / "lookup.json")
     write(folder / "index.md", HOME[language])
     write_subjects(folder, language, subjects, called)
-    write_guides(folder, subjects)
+    write_guides(folder, language, subjects)
     for name in ("query.js", "query.css"):
         shutil.copyfile(SOURCES / "docs" / "site" / name, folder / name)
     chosen = configuration(folder, language)

@@ -50,7 +50,8 @@ kleine Echtzeit-Laufzeit.
 
 Eine Nummer am Bedienfeld? [Meldungen der Steuerung](messages/index.md). Ein Code von axisc? [Regeln](rules/index.md). Oder oben eintippen.
 
-Die Seiten zu Regeln, Parametern, Meldungen und Wörtern sind deutsch; die Anleitungen gibt es auf Englisch.
+Die Seiten zu Regeln, Parametern, Meldungen und Wörtern sind deutsch, dazu [Aufzeichnen an der Maschine](record.md) und [FMU](fmu.md); die übrigen
+Anleitungen gibt es auf Englisch.
 """,
 }
 

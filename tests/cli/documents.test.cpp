@@ -244,6 +244,31 @@ TEST_CASE("every guide has an example that is run") {
   }
 }
 
+TEST_CASE("translated guides have the headings, rows and commands of the English ones") {
+  auto const outline = [](std::string const& document) {
+    std::istringstream lines(read_source_file(document));
+    std::string result;
+    bool in_commands = false;
+    bool in_block = false;
+    for (std::string line; std::getline(lines, line);) {
+      bool const is_fence = line.rfind("```", 0) == 0;
+      if (is_fence) in_block = !in_block;
+      if (is_fence) in_commands = line == "```sh";
+      auto const mark = line.substr(0, line.find_first_not_of("#|-"));
+      result += in_block ? (in_commands ? line : "code") + "\n" : mark.empty() ? "" : mark + "\n";
+    }
+    return result;
+  };
+  std::size_t translated = 0;
+  for (auto const& entry : fs::directory_iterator(AXISC_SOURCE_DIR "/docs/de")) {
+    auto const name = entry.path().filename().string();
+    CAPTURE(name);
+    CHECK(outline("docs/de/" + name) == outline("docs/" + name));
+    ++translated;
+  }
+  CHECK(translated >= 2);
+}
+
 TEST_CASE("every document with lines for the shell says where they run") {
   auto const is_known = [](std::string const& document) {
     return std::any_of(std::begin(pages), std::end(pages),

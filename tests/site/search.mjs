@@ -7,7 +7,7 @@ import vm from 'node:vm';
 
 const [site, sources] = process.argv.slice(2);
 const seen = 5;
-const least = 55;
+const least = 55 / 60;
 
 function lookUps() {
   const text = readFileSync(path.join(sources, 'tests/axisc/answers/look_up.test.cpp'), 'utf8');
@@ -69,14 +69,14 @@ for (const folder of ['', 'de']) {
   await search.start();
   const missed = [];
   const all = lookUps();
-  assert.equal(all.length, 60);
+  assert.ok(all.length >= 60);
   for (const { typed, right } of all) {
     const page = new RegExp(`^(rules|messages|parameters|words|topics)/(\\d+-)*${slug(right)}(-\\d+)*\\.html$`);
     const found = (await search.pages(typed)).slice(0, seen);
     if (!found.some((one) => page.test(one))) missed.push(`  ${typed}: not ${right}, but ${found.join(', ') || 'nothing'}`);
   }
   console.log(`${folder || 'en'}: ${all.length - missed.length} of ${all.length} look-ups among the first ${seen}\n${missed.join('\n')}`);
-  if (all.length - missed.length < least) process.exitCode = 1;
+  if (all.length - missed.length < least * all.length) process.exitCode = 1;
   // While somebody is typing, too, the search must not fail: the theme tells it with a warning.
   for (const typed of ['5', '50', '505', '50 Hz', '10 ms', '1000', 'x', '#', '"', '-', 'filter[0].', 'AX', ':50663']) await search.pages(typed);
 }

@@ -24,7 +24,7 @@ using Subject = std::variant<validator::Rule const*, schema::Parameter const*, s
 /// Why something was found, the best reason first.
 enum class Likeness : std::uint8_t {
   exact,         ///< the query is its name, or words that people use for it
-  part_of_name,  ///< its name contains the query
+  part_of_name,  ///< its name contains the text
   slip,          ///< as exact, or a part of its name, with a typing error or two
   words,         ///< every word of the query is in its name, in people's words for it, or in its meaning; or
                  ///< the query contains its name or people's words for it
@@ -38,15 +38,15 @@ struct Hit {
   Likeness likeness = Likeness::exact;
   std::size_t points = 0;  ///< among hits of one likeness
   std::string read_as;     ///< for a slip: what was meant
-  bool is_named = true;    ///< not only its meaning has words of the query
+  bool is_named = true;    ///< not only its meaning has words of the text
 };
 
 /// Best first: by likeness, then points, then in the order of `Subject` with what lists set first; each
 /// subject once. `some_words` appears alone. The first catalogue is that of axis lists. Cost: some ten
 /// milliseconds.
-[[nodiscard]] std::vector<Hit> search(std::span<schema::Catalogue const> catalogues, std::string_view query);
+[[nodiscard]] std::vector<Hit> search(std::span<schema::Catalogue const> catalogues, std::string_view text);
 /// The same in entries that were made before: see search_entries.hpp.
-[[nodiscard]] std::vector<Hit> search(std::span<SearchEntry const> entries, std::string_view query);
+[[nodiscard]] std::vector<Hit> search(std::span<SearchEntry const> entries, std::string_view text);
 
 /// True if the first hit is the only good one: the only exact one, or, without exact ones, the only one whose
 /// name contains the query, or the only one that is nearest, or the only one at all if a word names it.

@@ -84,14 +84,14 @@ class AxisValues {
   }
 
   /// The number or the word that counts; of a reference what it leads to.
-  [[nodiscard]] std::string in_force(EffectiveValue const& value) const {
+  [[nodiscard]] static std::string in_force(EffectiveValue const& value) {
     if (!value.set() && !value.row->has_default && !value.referenced) return {};
     bool const is_flag = value.row->type == schema::DataType::boolean;
     bool const is_word = !is_flag && (!value.value.text.empty() || !has_number(value));
     return is_word ? std::string(value.value.text) : format_exact(value.value.number);
   }
 
-  [[nodiscard]] Wording meaning_of(EffectiveValue const& value) const {
+  [[nodiscard]] static Wording meaning_of(EffectiveValue const& value) {
     auto const number = format_exact(value.value.number);
     for (auto const& described : schema::description_of(*value.row).values) {
       bool const is_meant =
