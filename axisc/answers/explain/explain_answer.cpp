@@ -20,6 +20,8 @@ constexpr Sentence origin{
     "der Maschine zu sehen ist, nach Parameter, nach Meldung der Steuerung und nach Code, dann die Seite zu "
     "jedem."};
 constexpr Sentence hits{"Found for \"{word}\"", "Gefunden zu „{word}“"};
+constexpr Sentence near_hits{R"(Nothing has all words of "{word}"; what has some of them)",
+                             "Nichts hat alle Wörter von „{word}“; was einige davon hat"};
 constexpr Sentence more{"More with \"{word}\" in the name:", "Weitere mit „{word}“ im Namen:"};
 constexpr Sentence read_as{R"("{word}" was read as "{meant}".)", "„{word}“ wurde als „{meant}“ gelesen."};
 
@@ -165,8 +167,9 @@ Document list_of(ExplainSubject const& subject, ExplainQuestion const& question)
   bool const has_others = arrays.parameters.items.size() != subjects.size();
   auto table = subjects_table("hits", subjects);
   table.most_shown = most_shown;
+  bool const is_near = subject.hits.front().likeness == Likeness::some_words;
   Document answer{.version = 3,
-                  .title = Words(says::hits, {{"word", question.word}}),
+                  .title = Words(is_near ? says::near_hits : says::hits, {{"word", question.word}}),
                   .blocks = {std::move(table)},
                   .csv_table = has_others ? "hits" : "parameters"};
   std::move(arrays).add_to(answer.blocks);

@@ -29,10 +29,6 @@ namespace {
 
 using Catalogues = std::span<schema::Catalogue const>;
 
-bool is_number(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), ascii::is_digit);
-}
-
 /// A message that a row of control-messages.json or a rule names.
 bool take_message(ExplainSubject& subject, std::string const& text) {
   auto const number = is_number(text) ? parse_count(text) : std::nullopt;
@@ -60,16 +56,40 @@ ExplainSubject subject_of(Catalogues catalogues, std::string const& text) {
   return subject;
 }
 
+bool is_word_for_parameter(std::string_view word) {
+  return word == "parameter" || word == "param" || word == "par";
+}
+
+/// The parameters of "axis00440" or "pchan71", folded, which people write without hyphens.
+std::vector<schema::Parameter const*> rows_of_joined_number(Catalogues catalogues, std::string_view word) {
+  auto const letters = word.find_first_of("0123456789");
+  if (letters == std::string_view::npos || !is_number(word.substr(letters))) return {};
+  auto kind = word.substr(0, letters);
+  constexpr std::size_t letters_of_a_kind = 4;
+  if (kind.size() == letters_of_a_kind + 1 && kind.front() == 'p') kind.remove_prefix(1);
+  if (kind.size() != letters_of_a_kind) return {};
+  auto const number = "P-" + std::string(kind) + "-" + std::string(word.substr(letters));
+  return rows_of_number(catalogues, number);
+}
+
 /// A number or a word of NC programs in the midst of others: "Fehler 50663", "P-ERR-50663", "what is G60".
 /// The number of a message has at least four digits; texts of messages contain others.
 ExplainSubject subject_within(Catalogues catalogues, std::string const& text) {
   constexpr std::size_t shortest_message = 4;
   auto const words = words_of(text);
   ExplainSubject subject;
+  for (auto const& word : words) {
+    subject.parameters = rows_of_joined_number(catalogues, word);
+    if (subject.is_found()) return subject;
+  }
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (is_word_for_parameter(words[i]) && is_number(words[i + 1])) {
+      subject.parameters = rows_of_number(catalogues, words[i + 1]);
+    }
     bool const is_parameter = i > 0 && words[i - 1] == "p" && is_number(words[i + 1]);
     if (is_parameter) subject.parameters = rows_of_number(catalogues, "P-" + words[i] + "-" + words[i + 1]);
-    if (words[i] == "ax" && is_number(words[i + 1])) {
+    bool const is_rule = words[i] == "ax" || words[i] == "regel" || words[i] == "rule";
+    if (is_rule && is_number(words[i + 1])) {
       if (auto const* const rule = rule_named("AX" + words[i + 1])) subject.rules.push_back(rule);
     }
     if (subject.is_found()) return subject;
@@ -121,9 +141,9 @@ void take(ExplainSubject& subject, Subject const& found) {
 }
 
 /// The answer, with others whose names contain the words, or all hits.
-ExplainSubject searched(Catalogues catalogues, std::string const& text) {
+ExplainSubject searched(std::span<SearchEntry const> entries, std::string const& text) {
   ExplainSubject subject;
-  subject.hits = search(catalogues, text);
+  subject.hits = search(entries, text);
   if (!is_answer(subject.hits)) return subject;
   auto const answer = subject.hits.front();
   take(subject, answer.subject);
@@ -133,13 +153,13 @@ ExplainSubject searched(Catalogues catalogues, std::string const& text) {
   return subject;
 }
 
-[[noreturn]] void refuse(Catalogues catalogues, std::string const& text) {
+[[noreturn]] void refuse(std::span<SearchEntry const> entries, std::string const& text) {
   std::vector<std::string> known;
   for (auto const& rule : validator::rules()) known.push_back(code_text(rule.code));
   for (auto const& message : schema::control_messages()) {
     for (auto const number : message.numbers) known.push_back(std::to_string(number));
   }
-  for (auto const& entry : search_entries(catalogues)) {
+  for (auto const& entry : entries) {
     for (auto const& phrase : entry.phrases) known.push_back(phrase.written);
   }
   auto words = words_of(text);
@@ -160,8 +180,9 @@ ExplainSubject explain_subject(std::span<schema::Catalogue const> catalogues, st
     auto subject = find(catalogues, text);
     if (subject.is_found()) return subject;
   }
-  auto subject = searched(catalogues, text);
-  if (!subject.is_found() && subject.hits.empty()) refuse(catalogues, text);
+  auto const entries = search_entries(catalogues);
+  auto subject = searched(entries, text);
+  if (!subject.is_found() && subject.hits.empty()) refuse(entries, text);
   return subject;
 }
 

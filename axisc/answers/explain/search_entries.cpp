@@ -23,9 +23,26 @@ void add_words(std::vector<std::string>& words, Page const& page) {
   add_words(words, page.german);
 }
 
-void add_phrase(SearchEntry& entry, std::string_view text) {
+void add_name(SearchEntry& entry, std::string_view text) {
   entry.phrases.push_back({.folded = folded(text), .written = std::string(text)});
   add_words(entry.name_words, text);
+}
+
+/// Beside the words themselves; parameters describe no faults.
+void add_common_words(std::vector<std::string>& words) {
+  for (std::size_t i = 0, count = words.size(); i < count; ++i) {
+    auto const common = std::string(common_word(words[i]));
+    if (common != words[i]) words.push_back(common);
+  }
+}
+
+/// What people call it, in their words and in common ones.
+void add_phrase(SearchEntry& entry, std::string_view text) {
+  add_name(entry, text);
+  auto common = common_phrase(text);
+  if (common != entry.phrases.back().folded) {
+    entry.phrases.push_back({.folded = std::move(common), .written = std::string(text), .is_common = true});
+  }
 }
 
 /// By its name alone.
@@ -36,7 +53,7 @@ SearchEntry entry_of(Subject subject, std::string_view name) {
                     .name_parts = {},
                     .name_words = {},
                     .meaning_words = {}};
-  add_phrase(entry, name);
+  add_name(entry, name);
   return entry;
 }
 
@@ -51,7 +68,7 @@ class Entries {
     for (auto const text : {topic.title.english, topic.title.german}) add_phrase(entry, text);
     for (auto const word : topic.words) add_phrase(entry, word);
     add_words(entry.meaning_words, topic.page);
-    entries_.push_back(std::move(entry));
+    add_with_common_words(std::move(entry));
   }
 
   void add(schema::Parameter const& parameter) {
@@ -91,7 +108,7 @@ class Entries {
     auto const& text = validator::page(rule);
     add_words(entry.meaning_words, text.english.substr(0, text.english.find('\n')));
     add_words(entry.meaning_words, text.german.substr(0, text.german.find('\n')));
-    entries_.push_back(std::move(entry));
+    add_with_common_words(std::move(entry));
   }
 
   void add(schema::ControlMessage const& message) {
@@ -100,12 +117,18 @@ class Entries {
     add_synonyms(entry, number);
     for (auto const& text : {message.meaning, message.remedy}) add_words(entry.meaning_words, text);
     for (auto const parameter : message.parameters) add_words(entry.meaning_words, parameter);
-    entries_.push_back(std::move(entry));
+    add_with_common_words(std::move(entry));
   }
 
   std::vector<SearchEntry> take() && { return std::move(entries_); }
 
  private:
+  void add_with_common_words(SearchEntry entry) {
+    add_common_words(entry.name_words);
+    add_common_words(entry.meaning_words);
+    entries_.push_back(std::move(entry));
+  }
+
   void add_synonyms(SearchEntry& entry, std::string_view name) {
     auto const found = synonyms_.find(name);
     if (found == synonyms_.end()) return;

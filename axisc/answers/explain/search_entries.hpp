@@ -12,6 +12,7 @@ namespace axisc {
 struct Phrase {
   std::string folded;
   std::string written;
+  bool is_common = false;  ///< see `common_phrase`
 };
 
 struct SearchEntry {
