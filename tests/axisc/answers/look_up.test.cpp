@@ -1,6 +1,7 @@
 // Look-ups as people type them. What is right was decided by what the words mean to somebody who sets up a
 // machine: the panel's number leads to its message, a colloquial name to the parameter that the manual
 // describes under it, a symptom to the page that says what helps.
+#include "axisc/answers/explain/explain_answer.hpp"
 #include "axisc/answers/explain/explain_parts.hpp"
 #include "axisc/answers/explain/explain_subject.hpp"
 #include "axisc/answers/explain/search_entries.hpp"
@@ -136,8 +137,40 @@ constexpr auto look_ups = std::to_array<LookUp>({
     {"#FILTER", "#FILTER"},
     {"G60 Genauhalt", "G60"},
     {"Überschleifen", "G61"},
+    // Faults in other words than those of the page.
+    {"gantry slave no master", "110244"},
+    {"error filter quality wrong", "50555"},
+    {"wrong data type reference", "AX2012"},
+    {"Master und Slave verschieden Beschleunigung", "AX4023"},
+    {"compensation list for wrong axis", "AX7008"},
+    {"Achsgeschwindigkeit überschritten Überwachung", "50118"},
+    // Names and numbers among other words.
+    {"filter 1 fg_f0", "filter[].fg_f0"},
+    {"what is slep_max", "getriebe[].slep_max"},
+    {"AXIS00167", "getriebe[].slep_dyn"},
+    {"pchan00003", "gruppe[].achs_anzahl"},
+    {"parameter 212", "getriebe[].dynamik.vb_max"},
+    // Words that say nothing elsewhere.
+    {"Genauhalt ein", "G360"},
+    {"exact stop on", "G360"},
+    // What is seen at the workpiece and the machine.
+    {"surface finish bad waviness", "vibration"},
+    {"machine knock on reversal", "getriebe[].lose"},
+    {"axis not stand still after stop", "AX6003"},
+    {"homing direction", "kenngr.ref_richt"},
+    {"Kreis zu klein", "contour deviation"},
+    {"Gewichtsausgleich", "getriebe[].torque_offset"},
+    {"rapid traverse acceleration", "getriebe[].slope_profil.a_grenz"},
+    {"lost position after power off", "lr_param.restore_axis_position"},
+    {"drive reverse polarity", "getriebe[].reverse"},
+    {"Zeitkonstante Symmetrierfilter zu klein", "70355"},
+    {"polynomial contouring off", "G260"},
+    {"Regel 7007", "AX7007"},
+    {"machine too slow in corners", "AX8004"},
+    {"Achse schwingt beim Stopp", "vibration"},
+    {"encoder increments per revolution", "getriebe[].incr_per_rev"},
 });
-static_assert(look_ups.size() == 77);
+static_assert(look_ups.size() == 105);
 
 }  // namespace
 
@@ -160,6 +193,31 @@ TEST_CASE("texts are folded as people type them") {
   CHECK(words_of("  ") == std::vector<std::string>());
   CHECK(is_filler("fehler"));
   CHECK_FALSE(is_filler("filter"));
+}
+
+TEST_CASE("faults are one word, however they are called") {
+  CHECK(common_phrase("Gantry slave: no master") == common_phrase("Gantry-Slave ohne Master"));
+  CHECK(common_phrase("wrong type") == common_phrase("falscher Type"));
+  CHECK(common_word("gross") == "high");
+  CHECK(common_word("filter") == "filter");
+  CHECK(common_phrase("in position") == "inposition");
+  CHECK(tells_a_fault("ungultig"));
+  CHECK_FALSE(tells_a_fault("frequenz"));
+  CHECK(asks_for_message("alarm"));
+}
+
+TEST_CASE("what has but some of the words, or pieces of one, is not passed off as found") {
+  CHECK_THROWS_AS(explain_subject(catalogues(), "Kühlmittel"), Failure);
+  auto const near = explain_subject(catalogues(), "spindle orientation tool change");
+  REQUIRE_FALSE(near.is_found());
+  CHECK(near.hits.front().likeness == Likeness::some_words);
+  auto const title = [](std::string const& text) {
+    auto const answer = explain_answer({.word = text, .of_axes = catalogues().front()});
+    return presentation::wording_of(answer.title).in(Language::english);
+  };
+  CHECK(title("spindle orientation tool change") ==
+        R"(Nothing has all words of "spindle orientation tool change"; what has some of them)");
+  CHECK(title("Endschalter") == R"(Found for "Endschalter")");
 }
 
 TEST_CASE("one good hit is the answer, several are ranked") {
