@@ -60,16 +60,19 @@ bool is_word_for_parameter(std::string_view word) {
   return word == "parameter" || word == "param" || word == "par";
 }
 
-/// The parameters of "axis00440" or "pchan71", folded, which people write without hyphens.
+/// The parameters of "axis00440" or "pchan71", folded, which people write without hyphens; "axis2" is an
+/// axis.
 std::vector<schema::Parameter const*> rows_of_joined_number(Catalogues catalogues, std::string_view word) {
   auto const letters = word.find_first_of("0123456789");
   if (letters == std::string_view::npos || !is_number(word.substr(letters))) return {};
   auto kind = word.substr(0, letters);
   constexpr std::size_t letters_of_a_kind = 4;
-  if (kind.size() == letters_of_a_kind + 1 && kind.front() == 'p') kind.remove_prefix(1);
-  if (kind.size() != letters_of_a_kind) return {};
-  auto const number = "P-" + std::string(kind) + "-" + std::string(word.substr(letters));
-  return rows_of_number(catalogues, number);
+  constexpr std::size_t fewest_digits = 3;
+  bool const has_p = kind.size() == letters_of_a_kind + 1 && kind.front() == 'p';
+  if (has_p) kind.remove_prefix(1);
+  bool const is_short = !has_p && word.size() < letters + fewest_digits;
+  if (kind.size() != letters_of_a_kind || is_short) return {};
+  return rows_of_number(catalogues, "P-" + std::string(kind) + "-" + std::string(word.substr(letters)));
 }
 
 /// A number or a word of NC programs in the midst of others: "Fehler 50663", "P-ERR-50663", "what is G60".
@@ -83,6 +86,8 @@ ExplainSubject subject_within(Catalogues catalogues, std::string const& text) {
     if (subject.is_found()) return subject;
   }
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    bool const has_prefix = words[i].starts_with('p') && is_number(words[i + 1]);
+    if (has_prefix) subject.parameters = rows_of_joined_number(catalogues, words[i] + words[i + 1]);
     if (is_word_for_parameter(words[i]) && is_number(words[i + 1])) {
       subject.parameters = rows_of_number(catalogues, words[i + 1]);
     }

@@ -100,7 +100,14 @@ void keep_names(std::vector<Hit>& hits, SearchQuery const& query, bool is_spelle
   if (is_identifier && is_in_names) {
     std::erase_if(hits, [](Hit const& hit) { return hit.likeness > Likeness::part_of_name; });
   }
-  if (is_path(query)) std::erase_if(hits, [](Hit const& hit) { return hit.likeness > Likeness::slip; });
+  // A part that is longer or shorter than in the name, `vib_guard.frequency`, is better than nothing.
+  bool const is_near_names =
+      std::any_of(hits.begin(), hits.end(), [](Hit const& hit) { return hit.likeness <= Likeness::slip; });
+  if (is_path(query)) {
+    std::erase_if(hits, [&](Hit const& hit) {
+      return hit.likeness > (is_near_names ? Likeness::slip : Likeness::words) || !hit.is_named;
+    });
+  }
   // Words that are spelled as elsewhere are not mistyped.
   bool const is_hyphenated = query.written.find('-') != std::string::npos;
   if (is_spelled_so && !is_hyphenated) {

@@ -28,7 +28,7 @@ void add_name(SearchEntry& entry, std::string_view text) {
   add_words(entry.name_words, text);
 }
 
-/// Beside the words themselves; parameters describe no faults.
+/// Beside the words themselves; parameters and topics describe no faults: "high" in "high cut" is none.
 void add_common_words(std::vector<std::string>& words) {
   for (std::size_t i = 0, count = words.size(); i < count; ++i) {
     auto const common = std::string(common_word(words[i]));
@@ -68,7 +68,7 @@ class Entries {
     for (auto const text : {topic.title.english, topic.title.german}) add_phrase(entry, text);
     for (auto const word : topic.words) add_phrase(entry, word);
     add_words(entry.meaning_words, topic.page);
-    add_with_common_words(std::move(entry));
+    entries_.push_back(std::move(entry));
   }
 
   void add(schema::Parameter const& parameter) {

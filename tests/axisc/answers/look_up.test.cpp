@@ -150,6 +150,12 @@ constexpr auto look_ups = std::to_array<LookUp>({
     {"AXIS00167", "getriebe[].slep_dyn"},
     {"pchan00003", "gruppe[].achs_anzahl"},
     {"parameter 212", "getriebe[].dynamik.vb_max"},
+    {"PCHAN 3", "gruppe[].achs_anzahl"},
+    {"ID 50663 axis2", "50663"},
+    {"vib_guard.frequency", "vib_guard.freq"},
+    {"vorsteuerung.shift_time", "vorsteuer.shift_time"},
+    {"index too big", "AX2002"},
+    {"ball screw pitch error", "lr_param.ssfk"},
     // Words that say nothing elsewhere.
     {"Genauhalt ein", "G360"},
     {"exact stop on", "G360"},
@@ -170,7 +176,7 @@ constexpr auto look_ups = std::to_array<LookUp>({
     {"Achse schwingt beim Stopp", "vibration"},
     {"encoder increments per revolution", "getriebe[].incr_per_rev"},
 });
-static_assert(look_ups.size() == 105);
+static_assert(look_ups.size() == 111);
 
 }  // namespace
 
