@@ -100,20 +100,18 @@ bool is_one_of(std::array<std::string_view, count> const& words, std::string_vie
 }  // namespace
 
 std::string folded(std::string_view text) {
-  std::string letters;
+  std::string result;
+  result.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == first_byte && i + 1 < text.size()) {
-      letters += plain_letters(text[++i]);
+      result += plain_letters(text[++i]);
     } else if (ascii::is_letter(text[i]) || ascii::is_digit(text[i]) || text[i] == '#') {
-      letters += ascii::lower_case(text[i]);
+      char const letter = ascii::lower_case(text[i]);
+      // People without umlauts on their keyboard write ae, oe, ue.
+      bool const is_written_out = letter == 'e' && !result.empty() &&
+                                  std::string_view("aou").find(result.back()) != std::string_view::npos;
+      if (!is_written_out) result += letter;
     }
-  }
-  // People without umlauts on their keyboard write ae, oe, ue.
-  std::string result;
-  for (char const letter : letters) {
-    bool const is_written_out = letter == 'e' && !result.empty() &&
-                                std::string_view("aou").find(result.back()) != std::string_view::npos;
-    if (!is_written_out) result += letter;
   }
   return result;
 }

@@ -12,12 +12,11 @@ namespace axisc {
 namespace {
 
 bool is_slip_of(std::string const& word, std::string const& known) {
-  // Another number is another message: it has no typing errors.
-  if (is_number(known)) return false;
   auto const accepted = accepted_slips(word.size());
   auto const [shorter, longer] = std::minmax({word.size(), known.size()});
+  // Another number is another message: it has no typing errors.
   return accepted > 0 && longer - shorter <= accepted && accepted_slips(known.size()) > 0 &&
-         schema::edit_distance(word, known, accepted) <= accepted;
+         !is_number(known) && schema::edit_distance(word, known, accepted) <= accepted;
 }
 
 /// What a word of the query is worth that is, begins or is within another word, contains one, or is mistyped.
@@ -38,9 +37,10 @@ std::size_t fit(std::string const& word, std::vector<std::string> const& known, 
   constexpr std::size_t shortest_beginning = 3;
   constexpr std::size_t shortest_part = 4;
   std::size_t best = 0;
+  bool const is_of_digits = is_number(word);
   for (auto const& other : known) {
     if (other == word) return worth.whole;
-    if (is_number(word)) continue;
+    if (is_of_digits) continue;
     bool const begins = word.size() >= shortest_beginning && other.starts_with(word);
     bool const contains = word.size() >= shortest_part && other.find(word) != std::string::npos;
     bool const is_compound =
