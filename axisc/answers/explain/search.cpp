@@ -147,7 +147,8 @@ std::vector<Hit> search(std::span<SearchEntry const> entries, std::string_view t
     if (hit) {
       hits.push_back(*std::move(hit));
     } else if (found.words > 0) {
-      by_words.push_back({.hit = hit_of_words(entry, query, found), .found = std::move(found)});
+      auto said = hit_of_words(entry, query, found);
+      by_words.push_back({.hit = std::move(said), .found = std::move(found)});
     }
   }
   auto fitting = fitting_words(std::move(by_words), rarity, query);

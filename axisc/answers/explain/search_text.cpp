@@ -139,7 +139,7 @@ bool is_number(std::string_view text) {
 }
 
 std::string_view common_word(std::string_view folded_word) {
-  auto const found =
+  auto const* const found =
       std::lower_bound(common_words.begin(), common_words.end(), folded_word,
                        [](auto const& pair, std::string_view word) { return pair.first < word; });
   return found != common_words.end() && found->first == folded_word ? found->second : folded_word;
