@@ -20,8 +20,8 @@ constexpr Sentence origin{
     "der Maschine zu sehen ist, nach Parameter, nach Meldung der Steuerung und nach Code, dann die Seite zu "
     "jedem."};
 constexpr Sentence hits{"Found for \"{word}\"", "Gefunden zu „{word}“"};
-constexpr Sentence near_hits{R"(Nothing has all words of "{word}"; what has some of them)",
-                             "Nichts hat alle Wörter von „{word}“; was einige davon hat"};
+constexpr Sentence near_hits{R"(No entry has all words of "{word}"; these have some of them)",
+                             "Kein Eintrag hat alle Wörter von „{word}“; diese haben einige davon"};
 constexpr Sentence more{"More with \"{word}\" in the name:", "Weitere mit „{word}“ im Namen:"};
 constexpr Sentence read_as{R"("{word}" was read as "{meant}".)", "„{word}“ wurde als „{meant}“ gelesen."};
 

@@ -24,7 +24,7 @@ using Subject = std::variant<validator::Rule const*, schema::Parameter const*, s
 /// Why something was found, the best reason first.
 enum class Likeness : std::uint8_t {
   exact,         ///< the query is its name, or words that people use for it
-  part_of_name,  ///< its name contains the text
+  part_of_name,  ///< its name contains the query
   slip,          ///< as exact, or a part of its name, with a typing error or two
   words,         ///< every word of the query is in its name, in people's words for it, or in its meaning; or
                  ///< the query contains its name or people's words for it
@@ -38,7 +38,7 @@ struct Hit {
   Likeness likeness = Likeness::exact;
   std::size_t points = 0;  ///< among hits of one likeness
   std::string read_as;     ///< for a slip: what was meant
-  bool is_named = true;    ///< not only its meaning has words of the text
+  bool is_named = true;    ///< not only its meaning has words of the query
 };
 
 /// Best first: by likeness, then points, then in the order of `Subject` with what lists set first; each

@@ -9,7 +9,7 @@ namespace axisc {
 
 namespace {
 
-/// "what is slep_max": whoever writes a name as lists have it means it, whatever is around it.
+/// "what is slep_max": a name as lists write it is meant, whatever words are around it.
 std::vector<std::string> identifiers_in(std::string_view text) {
   std::vector<std::string> identifiers;
   while (!text.empty()) {

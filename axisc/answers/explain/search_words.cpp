@@ -88,8 +88,8 @@ bool contains_phrase(SearchEntry const& entry, SearchQuery const& query) {
   return false;
 }
 
-/// Who names a fault, or asks for a message, means a message rather than the parameter behind it, and a rule
-/// rather than that, too, if no message was asked for.
+/// A query that names a fault means a message or a rule rather than the parameter behind it; one that asks
+/// for a message means a message.
 std::size_t preference(SearchEntry const& entry, SearchQuery const& query) {
   constexpr std::size_t of_a_message = 8;
   constexpr std::size_t of_a_fault = 4;

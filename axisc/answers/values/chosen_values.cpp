@@ -18,8 +18,8 @@ constexpr Sentence no_such_parameter{
     "es gibt keinen Achsparameter „{name}“; `axisc explain` findet Namen nach ihrer Bedeutung"};
 constexpr Sentence no_such_parameter_meant{"there is no axis parameter \"{name}\"; did you mean {meant}?",
                                            "es gibt keinen Achsparameter „{name}“; war {meant} gemeint?"};
-constexpr Sentence index_needed{"`{name}` needs an index that there is: {first} to {last}",
-                                "`{name}` braucht einen Index, den es gibt: {first} bis {last}"};
+constexpr Sentence index_needed{"there is no `{name}`; write one of {first} to {last}",
+                                "`{name}` gibt es nicht; einen Eintrag von {first} bis {last} angeben"};
 
 }  // namespace axisc::says
 

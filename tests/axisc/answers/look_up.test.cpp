@@ -222,7 +222,7 @@ TEST_CASE("what has but some of the words, or pieces of one, is not passed off a
     return presentation::wording_of(answer.title).in(Language::english);
   };
   CHECK(title("spindle orientation tool change") ==
-        R"(Nothing has all words of "spindle orientation tool change"; what has some of them)");
+        R"(No entry has all words of "spindle orientation tool change"; these have some of them)");
   CHECK(title("Endschalter") == R"(Found for "Endschalter")");
 }
 

@@ -145,7 +145,7 @@ TEST_CASE("words that cannot be written are refused with the reason") {
   CHECK(refusal("P-AXIS-00099=3") ==
         "there is no axis parameter \"P-AXIS-00099\"; did you mean getriebe[0].kv?");
   CHECK(refusal("filter[].order=1") ==
-        "`filter[].order` needs an index that there is: filter[0].order to filter[2].order");
+        "there is no `filter[].order`; write one of filter[0].order to filter[2].order");
   CHECK(
       refusal("filter[0].fg_f0=48ms") ==
       "\"ms\" is not a unit of `filter[0].fg_f0`, whose number is in Hz; without a unit it is written as it "

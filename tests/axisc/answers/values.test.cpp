@@ -115,7 +115,7 @@ TEST_CASE("an index that no entry has is refused, and what may be meant is named
     return std::string();
   };
   CHECK(refusal("filter[9].order") ==
-        "`filter[9].order` needs an index that there is: filter[0].order to filter[2].order");
+        "there is no `filter[9].order`; write one of filter[0].order to filter[2].order");
   CHECK(refusal("vb_maxx").ends_with("did you mean getriebe[0].dynamik.vb_max, handbetrieb.hb.vb_max?"));
   CHECK(refusal("nonsense_param").ends_with("`axisc explain` finds names by what they mean"));
 }
