@@ -56,9 +56,10 @@ function(axisc_without_sanitizers)
 endfunction()
 
 # What a shared library contains: position-independent, and its names stay inside unless a header shows them.
-# Programs link the same objects, so that nothing is compiled twice.
+# Programs link the same objects, so that nothing is compiled twice; the static one, too, whose tree a compiler
+# cache then fills.
 function(axisc_shareable target)
-  if(AXISC_SHARED)
+  if(AXISC_SHARED OR AXISC_STATIC)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden
       CXX_VISIBILITY_PRESET hidden)
   endif()
