@@ -16,6 +16,8 @@ constexpr Sentence severity_and_many{"{severity}, control: one of {count} messag
                                      "{severity}, Steuerung: je nach Parameter eine von {count} Meldungen"};
 constexpr Sentence rule_title{"{title}.", "{title}."};
 constexpr Sentence exceptions{"**Exceptions:** {text}", "**Ausnahmen:** {text}"};
+constexpr Sentence no_exceptions{"None: it is reported wherever its condition holds.",
+                                 "Keine: gemeldet wird überall, wo die Bedingung zutrifft."};
 constexpr Sentence source{"source", "Quelle"};
 constexpr Sentence source_list{"{first}; {next}", "{first}; {next}"};
 constexpr Sentence reading{"our reading", "unsere Lesart"};
@@ -48,9 +50,8 @@ Value text_of(Page const& page) {
 void add_facts(Section& section, validator::Rule const& rule) {
   auto const& facts = validator::facts(rule);
   auto const exceptions = text_of(facts.exceptions);
-  if (!exceptions.is_nothing()) {
-    section.blocks.emplace_back(Paragraph{Words(says::exceptions, {{"text", exceptions}})});
-  }
+  auto const shown = exceptions.is_nothing() ? Value(Words(says::no_exceptions)) : exceptions;
+  section.blocks.emplace_back(Paragraph{Words(says::exceptions, {{"text", shown}})});
   section.blocks.emplace_back(Facts{{data("exceptions", exceptions),
                                      {"source", says::source, sources_of(facts)},
                                      {"reading", says::reading, text_of(facts.reading)},
