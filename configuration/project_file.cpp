@@ -60,7 +60,7 @@ bool is_for_machine(std::string_view element) {
 }
 constexpr std::uint32_t nanoseconds_per_unit = 100;
 constexpr std::uint32_t longest_cycle = 10'000'000;  // units of 100 ns
-constexpr std::string_view interpolation_task = "GEO";
+constexpr std::string_view part_of_interpolator_name = "GEO";
 constexpr std::uint32_t longest_text = 1000;  // of a name or a number, in bytes
 
 class ProjectReader {
@@ -216,7 +216,7 @@ class ProjectReader {
       auto const name = field(index, key);
       task.interpolates =
           task.interpolates ||
-          (name && ascii::upper_case(name->text).find(interpolation_task) != std::string::npos);
+          (name && ascii::upper_case(name->text).find(part_of_interpolator_name) != std::string::npos);
     }
   }
 

@@ -10,7 +10,7 @@
 namespace axisc::configuration {
 namespace {
 
-constexpr std::string_view interpolation_task = "task_int";
+constexpr std::string_view interpolation_function = "task_int";
 constexpr std::uint32_t longest_us = 1'000'000;
 constexpr std::uint32_t nanoseconds_per_us = 1000;
 
@@ -25,7 +25,7 @@ RealTimeList read_real_time_list(SourceText const& text, SourceId source) {
     if (match_name(listed.name, "cycle_time")) chosen = &listed;
     if (auto const cycle = match_name(listed.name, "thread[].cycle")) cycles[(*cycle)[0]] = &listed;
     auto const function = match_name(listed.name, "thread[].function[].name");
-    if (function && ascii::equal_ignoring_case(listed.value.text, interpolation_task)) {
+    if (function && ascii::equal_ignoring_case(listed.value.text, interpolation_function)) {
       thread = (*function)[0];
     }
   }

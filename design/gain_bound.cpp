@@ -15,7 +15,7 @@ constexpr double unit_roundoff = 0x1p-53;
 constexpr double outwards = 1 + 0x1p-18;
 
 constexpr std::uint64_t longest_walk = std::uint64_t{1} << 21U;
-constexpr std::uint64_t cycles_between_checks = 32;
+constexpr std::uint64_t steps_between_checks = 32;
 constexpr double contracted = 0x1p-4;
 
 /// States of a section that is left alone, and the sums of their magnitudes:
@@ -92,8 +92,8 @@ SectionGain section_gain(IncrementSection const& section, bool blocks_constant) 
   Walk of_r{.e = 0, .r = 1};
   Walk of_impulse{.e = p, .r = (p + q) - (k + b) * p};
   Matrix power{};
-  for (std::uint64_t n = 0; n < longest_walk; n += cycles_between_checks) {
-    for (std::uint64_t i = 0; i < cycles_between_checks; ++i) {
+  for (std::uint64_t n = 0; n < longest_walk; n += steps_between_checks) {
+    for (std::uint64_t i = 0; i < steps_between_checks; ++i) {
       of_e.step(k, b);
       of_r.step(k, b);
       of_impulse.step(k, b);

@@ -17,9 +17,9 @@
 namespace axisc::grammar {
 namespace {
 
-constexpr std::uint32_t block_size = TextBlock::size;
+constexpr std::uint32_t text_block_size = TextBlock::size;
 constexpr std::size_t bytes_ahead = 4096;
-static_assert(room_behind_line == block_size && bytes_at_once % block_size == 0);
+static_assert(room_behind_line == text_block_size && bytes_at_once % text_block_size == 0);
 
 /// The place of the lowest bit; 63 where there is none.
 std::uint32_t first_or_last_of(Bits bits) {
@@ -38,7 +38,7 @@ Bits first_run(Bits bits) {
 }
 /// Those of the first `count` places, which may be more than there are.
 Bits first_of(Bits bits, std::uint32_t count) {
-  return count < block_size ? bits & ((Bits{1} << count) - 1) : bits;
+  return count < text_block_size ? bits & ((Bits{1} << count) - 1) : bits;
 }
 
 /// Notes the lines that contain unusual bytes of a block; `line` is the one that reaches into the block.
@@ -77,7 +77,7 @@ enum class Shape : std::uint8_t { irregular, silent, assignment };
                                                Bits window, Assignment& out) {
   char const* const line = text + origin;
   Bits const content = first_of(window, size);
-  bool const is_long = size > block_size;
+  bool const is_long = size > text_block_size;
   if (is_long) {
     if (line[size - 1] == lexical::carriage_return) --size;
     while (size != 0 && is(character::blank, line[size - 1])) --size;
@@ -94,8 +94,8 @@ enum class Shape : std::uint8_t { irregular, silent, assignment };
   std::uint32_t const name_end = end_of(name);
   std::uint32_t const value_begin = first_or_last_of(value);
   std::uint32_t trailer_begin = trailer == 0 ? size : first_or_last_of(trailer);
-  if ((static_cast<unsigned>(trailer == 0) & static_cast<unsigned>(size > block_size)) != 0) {
-    trailer_begin = block_size;
+  if ((static_cast<unsigned>(trailer == 0) & static_cast<unsigned>(size > text_block_size)) != 0) {
+    trailer_begin = text_block_size;
     while (is(character::blank, line[trailer_begin])) ++trailer_begin;
   }
   if (lexical::is_end_marker({line + name_begin, name_end - name_begin})) return Shape::irregular;
@@ -117,7 +117,7 @@ void find_lines(std::string_view text, std::uint32_t begin, PlainLines& lines) {
   bool may_name_numbers = false;
   Bits* content = lines.content.data();
   std::size_t const end = std::min(text.size(), begin + bytes_at_once + 1);
-  for (std::size_t at = begin; at + block_size < end && count < lines_at_once; at += block_size) {
+  for (std::size_t at = begin; at + text_block_size < end && count < lines_at_once; at += text_block_size) {
     // A text that lay idle comes from farther away than a processor looks ahead by itself.
     __builtin_prefetch(text.data() + std::min(at + bytes_ahead, text.size()));
     TextBlock const block(text.data() + at);
@@ -147,8 +147,8 @@ std::size_t split_lines(std::string_view text, PlainLines const& lines, std::siz
   for (; index < lines.count && count < out.size(); ++index) {
     if (lines.unusual[index]) break;
     std::uint32_t const begin = begins[index];
-    Bits const* const content = lines.content.data() + (begin - begins[0]) / block_size;
-    std::uint32_t const shift = (begin - begins[0]) % block_size;
+    Bits const* const content = lines.content.data() + (begin - begins[0]) / text_block_size;
+    std::uint32_t const shift = (begin - begins[0]) % text_block_size;
     Bits const window = content[0] >> shift | content[1] << 1U << (63U - shift);
     Shape const shape = split_line(text.data(), begin, begins[index + 1] - begin - 1, window, out[count]);
     if (shape == Shape::irregular) break;

@@ -116,12 +116,12 @@ class Search {
     }
   }
 
-  void add_if_known(Parts const& parts, Slip slip) {
-    auto const last = find_text(parts.back(), vocabulary_.parts, vocabulary_.places_of_parts);
+  void add_if_known(Parts const& wanted, Slip slip) {
+    auto const last = find_text(wanted.back(), vocabulary_.parts, vocabulary_.places_of_parts);
     if (!last) return;
     for (std::uint32_t const name : vocabulary_.names_ending_in[*last]) {
       bool const is_this =
-          vocabulary_.parts_of[name].size() == parts.size() && !first_difference(parts, name);
+          vocabulary_.parts_of[name].size() == wanted.size() && !first_difference(wanted, name);
       if (is_this) add(name, slip);
     }
   }

@@ -13,7 +13,7 @@ namespace {
 // Symbols keep the order of the file: messages list them that way.
 using Json = nlohmann::ordered_json;
 
-ParameterRow::Words words_of(Json const& object) {
+ParameterRow::Words words_in(Json const& object) {
   ParameterRow::Words words;
   for (auto const& [word, number] : object.items()) {
     words.emplace_back(word, number.is_null() ? std::nullopt : std::optional(number.get<int>()));
@@ -77,7 +77,7 @@ class RowReader {
       row_.unit_translatory = (unit->is_string() ? *unit : unit->at("translatory")).get<std::string>();
       row_.unit_rotary = (unit->is_string() ? *unit : unit->at("rotary")).get<std::string>();
     }
-    if (auto const* const names = find("number_names")) row_.number_names = words_of(*names);
+    if (auto const* const names = find("number_names")) row_.number_names = words_in(*names);
     if (auto const* const types = find("axis_types")) {
       row_.axis_types.clear();
       for (Json const& type : *types) row_.axis_types += type.get<std::string>();
@@ -128,7 +128,7 @@ class RowReader {
       complain(RowContradiction::symbols_of_numbers, "symbols");
     }
     row_.symbols = own_symbols();
-    for (auto& symbol : words_of(*symbols)) {
+    for (auto& symbol : words_in(*symbols)) {
       if (is_symbol(symbol.first)) complain(RowContradiction::symbol_twice, "symbols", symbol.first);
       row_.symbols.push_back(std::move(symbol));
     }

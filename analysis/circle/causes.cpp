@@ -11,7 +11,6 @@ namespace axisc::circle {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double quarter = std::numbers::pi / 2;
 constexpr double before_reversal = 1 * degree;
 constexpr double after_reversal = 10 * degree;

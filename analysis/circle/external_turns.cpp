@@ -10,7 +10,6 @@ namespace axisc::circle {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 /// Of a point: a turn of 0° to 359.5° every 0.5° is a whole one.
 constexpr double missing = 1.5;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace axisc::circle {
@@ -12,6 +13,9 @@ enum class Sense : int { counterclockwise = 1, clockwise = -1 };
 [[nodiscard]] constexpr double sign_of(Sense sense) {
   return static_cast<double>(sense);
 }
+
+/// In radians.
+inline constexpr double degree = std::numbers::pi / 180;
 
 /// A position in µm, and the angle that it stands for.
 struct Sample {

@@ -14,8 +14,8 @@ constexpr Sentence matched_poles{"matched poles, no zeros at infinity",
                                  "angepasste Pole, keine Nullstellen im Unendlichen"};
 constexpr Sentence pole_at_frequency{"the poles lie at fg_f0 (below -3 dB there for orders above 1)",
                                      "die Pole liegen bei fg_f0 (dort unter -3 dB bei Ordnungen über 1)"};
-constexpr Sentence documented{"standard filters as axisc computes them without settings",
-                              "Standardfilter, wie axisc sie ohne Einstellungen rechnet"};
+constexpr Sentence documented_filter{"standard filters as axisc computes them without settings",
+                                     "Standardfilter, wie axisc sie ohne Einstellungen rechnet"};
 constexpr Sentence analogue_quality{"the quality counts before the bilinear transform",
                                     "die Güte gilt vor der bilinearen Transformation"};
 constexpr Sentence half_gain{"-6 dB at fg_f0", "-6 dB bei fg_f0"};
@@ -32,10 +32,10 @@ namespace axisc::comparison {
 
 namespace {
 
-using Wanted = design::FilterReading;
+using WantedFilter = design::FilterReading;
 
 /// None where the reading means nothing for the type, or where no runtime would execute one of the sections.
-template <Wanted reading>
+template <WantedFilter reading>
 std::optional<Link> read_as(design::FilterSpecification const& listed, design::CycleTime cycle_time) {
   design::FilterSpecification wanted = listed;
   wanted.reading = reading;
@@ -45,30 +45,30 @@ std::optional<Link> read_as(design::FilterSpecification const& listed, design::C
   return is_executable ? std::optional(link_of(made)) : std::nullopt;
 }
 
-template <Wanted reading>
+template <WantedFilter reading>
 constexpr FilterReading row(SentenceRef meaning) {
   return {{word_of(reading), meaning}, read_as<reading>};
 }
 
 // The last one differs from the listed chain where settings ask for another reading.
-constexpr std::array<FilterReading, 12> rows{
-    row<Wanted::no_prewarping>(says::no_prewarping),
-    row<Wanted::backward_euler>(says::backward_euler),
-    row<Wanted::forward_euler>(says::forward_euler),
-    row<Wanted::matched>(says::matched),
-    row<Wanted::matched_poles>(says::matched_poles),
-    row<Wanted::poles_at_frequency>(says::pole_at_frequency),
-    row<Wanted::analogue_quality>(says::analogue_quality),
-    row<Wanted::half_gain_at_frequency>(says::half_gain),
-    row<Wanted::quality_of_poles>(says::pole_quality),
-    row<Wanted::bessel_delay>(says::bessel_delay),
-    row<Wanted::allpass_phase>(says::allpass_phase),
-    {{documented_filters, says::documented}, read_as<Wanted::documented>}};
+constexpr std::array<FilterReading, 12> filter_rows{
+    row<WantedFilter::no_prewarping>(says::no_prewarping),
+    row<WantedFilter::backward_euler>(says::backward_euler),
+    row<WantedFilter::forward_euler>(says::forward_euler),
+    row<WantedFilter::matched>(says::matched),
+    row<WantedFilter::matched_poles>(says::matched_poles),
+    row<WantedFilter::poles_at_frequency>(says::pole_at_frequency),
+    row<WantedFilter::analogue_quality>(says::analogue_quality),
+    row<WantedFilter::half_gain_at_frequency>(says::half_gain),
+    row<WantedFilter::quality_of_poles>(says::pole_quality),
+    row<WantedFilter::bessel_delay>(says::bessel_delay),
+    row<WantedFilter::allpass_phase>(says::allpass_phase),
+    {{documented_filters, says::documented_filter}, read_as<WantedFilter::documented>}};
 
 }  // namespace
 
 std::span<FilterReading const> filter_readings() {
-  return rows;
+  return filter_rows;
 }
 
 }  // namespace axisc::comparison

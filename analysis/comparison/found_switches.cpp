@@ -13,8 +13,6 @@ namespace axisc::comparison {
 namespace {
 
 constexpr std::size_t block = 128;
-constexpr int longest_lag = 10;
-constexpr std::size_t lags = 2 * longest_lag + 1;
 /// A switch has to save this many times the squares that rounding explains, so that noise switches nothing.
 constexpr double fewest_squares = 100;
 constexpr std::size_t most_switches = 100;

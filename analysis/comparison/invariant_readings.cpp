@@ -79,13 +79,14 @@ Result by_step(FilterSpecification const& wanted, CycleTime cycle_time) {
   return with_share(std::move(taps), wanted.share_percent);
 }
 
-constexpr std::array<FilterReading, 2> rows{{{{"impulse-invariant", says::impulse_invariant}, by_impulse},
-                                             {{"step-invariant", says::step_invariant}, by_step}}};
+constexpr std::array<FilterReading, 2> invariant_rows{
+    {{{"impulse-invariant", says::impulse_invariant}, by_impulse},
+     {{"step-invariant", says::step_invariant}, by_step}}};
 
 }  // namespace
 
 std::span<FilterReading const> invariant_readings() {
-  return rows;
+  return invariant_rows;
 }
 
 }  // namespace axisc::comparison

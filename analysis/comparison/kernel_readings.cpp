@@ -23,8 +23,8 @@ constexpr Sentence novib_box{"NoVib is one box of a period of fg_f0, not two",
                              "NoVib ist ein Rechteck einer Periode von fg_f0, nicht zwei"};
 constexpr Sentence undelayed_share{"the unfiltered share passes undelayed",
                                    "der ungefilterte Anteil läuft unverzögert"};
-constexpr Sentence documented{"the kernel as axisc computes it without settings",
-                              "der Kern, wie axisc ihn ohne Einstellungen rechnet"};
+constexpr Sentence documented_kernel{"the kernel as axisc computes it without settings",
+                                     "der Kern, wie axisc ihn ohne Einstellungen rechnet"};
 constexpr Sentence guard_rounded{"the guard's impulses are on the nearest cycles",
                                  "die Impulse des Vibration Guard liegen auf den nächsten Zyklen"};
 constexpr Sentence guard_rounded_up{"the guard's impulses are on the cycles that follow",
@@ -47,9 +47,9 @@ namespace axisc::comparison {
 
 namespace {
 
-using Wanted = design::KernelReading;
+using WantedKernel = design::KernelReading;
 
-template <Wanted reading>
+template <WantedKernel reading>
 std::vector<double> read_as(design::KernelSpecification const& listed, design::CycleTime cycle_time) {
   design::KernelSpecification wanted = listed;
   wanted.reading = reading;
@@ -57,38 +57,38 @@ std::vector<double> read_as(design::KernelSpecification const& listed, design::C
   return design::design_kernel(wanted, cycle_time).taps;
 }
 
-template <Wanted reading>
+template <WantedKernel reading>
 constexpr KernelReading row(SentenceRef meaning) {
   return {{word_of(reading), meaning}, read_as<reading>};
 }
 
 // The last one differs from the listed kernel where settings ask for another reading.
-constexpr std::array<KernelReading, 20> rows{
-    row<Wanted::taps_n>(says::taps_n),
-    row<Wanted::taps_n_plus_1>(says::taps_n_1),
-    row<Wanted::half_width_rounded_down>(says::half_width_down),
-    row<Wanted::order_is_half_width>(says::half_width_n),
-    row<Wanted::gaussian_width_1>(says::gauss_1),
-    row<Wanted::gaussian_width_2>(says::gauss_2),
-    row<Wanted::gaussian_width_3>(says::gauss_3),
-    row<Wanted::sinc_hann>(says::hann),
-    row<Wanted::sinc_blackman>(says::blackman),
-    row<Wanted::sinc_no_window>(says::no_window),
-    row<Wanted::novib_one_box>(says::novib_box),
-    row<Wanted::share_undelayed>(says::undelayed_share),
-    row<Wanted::share_ignored>(says::no_share),
-    row<Wanted::guard_rounded>(says::guard_rounded),
-    row<Wanted::guard_rounded_up>(says::guard_rounded_up),
-    row<Wanted::guard_zero_placed>(says::guard_zero_placed),
-    row<Wanted::guard_undamped_spacing>(says::guard_undamped),
-    row<Wanted::guard_quarters>(says::guard_quarters),
-    row<Wanted::guard_uncentred>(says::guard_uncentred),
-    {{documented_kernels, says::documented}, read_as<Wanted::documented>}};
+constexpr std::array<KernelReading, 20> kernel_rows{
+    row<WantedKernel::taps_n>(says::taps_n),
+    row<WantedKernel::taps_n_plus_1>(says::taps_n_1),
+    row<WantedKernel::half_width_rounded_down>(says::half_width_down),
+    row<WantedKernel::order_is_half_width>(says::half_width_n),
+    row<WantedKernel::gaussian_width_1>(says::gauss_1),
+    row<WantedKernel::gaussian_width_2>(says::gauss_2),
+    row<WantedKernel::gaussian_width_3>(says::gauss_3),
+    row<WantedKernel::sinc_hann>(says::hann),
+    row<WantedKernel::sinc_blackman>(says::blackman),
+    row<WantedKernel::sinc_no_window>(says::no_window),
+    row<WantedKernel::novib_one_box>(says::novib_box),
+    row<WantedKernel::share_undelayed>(says::undelayed_share),
+    row<WantedKernel::share_ignored>(says::no_share),
+    row<WantedKernel::guard_rounded>(says::guard_rounded),
+    row<WantedKernel::guard_rounded_up>(says::guard_rounded_up),
+    row<WantedKernel::guard_zero_placed>(says::guard_zero_placed),
+    row<WantedKernel::guard_undamped_spacing>(says::guard_undamped),
+    row<WantedKernel::guard_quarters>(says::guard_quarters),
+    row<WantedKernel::guard_uncentred>(says::guard_uncentred),
+    {{documented_kernels, says::documented_kernel}, read_as<WantedKernel::documented>}};
 
 }  // namespace
 
 std::span<KernelReading const> kernel_readings() {
-  return rows;
+  return kernel_rows;
 }
 
 }  // namespace axisc::comparison

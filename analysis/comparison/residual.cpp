@@ -10,8 +10,6 @@ namespace axisc::comparison {
 
 namespace {
 
-constexpr int longest_lag = 10;
-constexpr std::size_t lags = 2 * longest_lag + 1;
 /// A fraction of a cycle is believed if it reduces the error to this share at most.
 constexpr double fraction_gain = 0.7;
 /// Cycles after a gap that do not count: as many as the chain takes to settle, but at most these.

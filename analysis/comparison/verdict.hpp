@@ -56,8 +56,12 @@ struct Comparison {
   std::optional<Explained> next{};  ///< the best of those that are ruled out
 };
 
-/// Only a single explanation may be believed: see `fitting`. Lags of up to 10 whole cycles, and fractions of
-/// a cycle for the listed chain, are found. `all`: of readings(), the listed one first.
+/// Whole cycles by which the recorded output may lag the chain's, or lead it.
+inline constexpr int longest_lag = 10;
+inline constexpr std::size_t lags = 2 * longest_lag + 1;
+
+/// Only a single explanation may be believed: see `fitting`. Lags of up to `longest_lag`, and fractions of a
+/// cycle for the listed chain, are found. `all`: of readings(), the listed one first.
 [[nodiscard]] Comparison compare(Recording const& recording, std::vector<Reading> const& all);
 
 }  // namespace axisc::comparison

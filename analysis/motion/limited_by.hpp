@@ -1,9 +1,13 @@
-// Why a block is not passed faster.
+// What keeps a block from being passed faster.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace axisc::motion {
+
+/// A velocity, acceleration or jerk where nothing limits it.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 enum class LimitedBy : std::uint8_t {
   feed,          ///< F, or #VECTOR LIMIT

@@ -9,7 +9,6 @@
 namespace axisc::motion {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// A component this small is none: the axis rests.
 constexpr double no_motion = 1e-15;
 

@@ -14,6 +14,7 @@ inline constexpr std::size_t most_axes = 8;
 inline constexpr double units_per_mm = 1e4;
 /// Position units in a micrometre or 1e-3°.
 inline constexpr double units_per_um = 10;
+inline constexpr double um_per_mm = units_per_mm / units_per_um;
 
 /// One number per axis of the path.
 using Point = std::array<double, most_axes>;

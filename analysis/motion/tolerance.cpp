@@ -1,5 +1,6 @@
 #include "analysis/motion/tolerance.hpp"
 
+#include "analysis/motion/limited_by.hpp"
 #include "analysis/motion/searched_spans.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 namespace axisc::motion {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 // Bounds on effort; what they end is settled by the proof or by the header's floor.
 
 /// How often the path ahead is slowed down for a corner that the machine has passed: it cannot be slowed down

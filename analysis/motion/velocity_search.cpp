@@ -1,12 +1,13 @@
 #include "analysis/motion/velocity_search.hpp"
 
+#include "analysis/motion/limited_by.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace axisc::motion {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// The error e grows with a power p of the velocity: p = 1 at a corner, 2 on an arc, between them and beyond
 /// where ramps and neighbours take part. Outside of these something else causes it.
 constexpr double most_growth = 3;

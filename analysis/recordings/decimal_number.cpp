@@ -16,7 +16,7 @@ constexpr std::size_t longest_number = 400;
 /// Quotients of whole numbers up to 2^53 and these are correctly rounded.
 constexpr std::array<double, 20> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,
                                                1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
-constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53U;
+constexpr std::uint64_t largest_dividend = std::uint64_t{1} << 53U;
 constexpr std::size_t most_digits = 18;
 
 DecimalMark mark_of(char byte) {
@@ -62,7 +62,7 @@ std::optional<DecimalNumber> parse_number(std::string_view text) {
     decimals = at - first;
     count += decimals;
   }
-  bool const is_plain = at == text.size() && count > 0 && count <= most_digits && digits <= largest_exact;
+  bool const is_plain = at == text.size() && count > 0 && count <= most_digits && digits <= largest_dividend;
   if (!is_plain) return parse_any(text);
   double const value = static_cast<double>(digits) / powers_of_ten[decimals];
   return DecimalNumber{.value = is_negative ? -value : value, .mark = mark};

@@ -18,7 +18,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 /// samples.
 constexpr double longest_step_in_seconds = 0.015;
 
-bool is_same(double a, double b) {
+bool is_same_or_missing(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
@@ -107,7 +107,8 @@ void RowGroups::add_sample(FieldGroup const& group, std::uint64_t number, double
   if (group.has_time && clock.samples > 0 && time <= clock.times.back()) {
     bool is_repeated = time == clock.times.back();
     for (std::size_t i = 0; i < group.values; ++i) {
-      is_repeated = is_repeated && is_same(values_[i], recording.channels[group.channel + i].values.back());
+      is_repeated =
+          is_repeated && is_same_or_missing(values_[i], recording.channels[group.channel + i].values.back());
     }
     if (is_repeated) {
       ++clock.repeated;

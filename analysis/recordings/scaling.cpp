@@ -47,15 +47,15 @@ struct UnitRow {
   double thousandths;
 };
 /// Lower case.
-constexpr std::array<UnitRow, 9> units{{{"mm", 1e3},
-                                        {"µm", 1},  // U+00B5
-                                        {"μm", 1},  // U+03BC
-                                        {"um", 1},
-                                        {"nm", 1e-3},
-                                        {"cm", 1e4},
-                                        {"m", 1e6},
-                                        {"°", 1e3},
-                                        {"deg", 1e3}}};
+constexpr std::array<UnitRow, 9> length_and_angle_units{{{"mm", 1e3},
+                                                         {"µm", 1},  // U+00B5
+                                                         {"μm", 1},  // U+03BC
+                                                         {"um", 1},
+                                                         {"nm", 1e-3},
+                                                         {"cm", 1e4},
+                                                         {"m", 1e6},
+                                                         {"°", 1e3},
+                                                         {"deg", 1e3}}};
 
 }  // namespace
 
@@ -86,9 +86,9 @@ bool names_unit(std::string_view unit) {
 
 std::optional<double> thousandths_in(std::string_view unit) {
   auto const word = ascii::lower_case(unit.substr(0, unit.find_first_of(" (")));
-  auto const* const found =
-      std::find_if(units.begin(), units.end(), [&](UnitRow const& row) { return row.word == word; });
-  if (word.empty() || found == units.end()) return std::nullopt;
+  auto const* const found = std::find_if(length_and_angle_units.begin(), length_and_angle_units.end(),
+                                         [&](UnitRow const& row) { return row.word == word; });
+  if (word.empty() || found == length_and_angle_units.end()) return std::nullopt;
   return found->thousandths;
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t block_size = 128;
 constexpr double finest = 1e6;
 /// Whole numbers up to here, divided by a power of ten, are the doubles that reading their text gives.
-constexpr double largest_exact = 1e15;
+constexpr double largest_whole = 1e15;
 
 using Units = std::array<std::int64_t, block_size>;
 
@@ -32,7 +32,7 @@ bool has_equal_steps(Units const& units) {
   return true;
 }
 
-bool is_same(double a, double b) {
+bool is_same_with_sign(double a, double b) {
   return a == b && std::signbit(a) == std::signbit(b);
 }
 
@@ -56,7 +56,7 @@ bool Signal::pack(double per_unit, Block& block) const {
   for (std::size_t i = 0; i < block_size; ++i) {
     double const value = open_[i];
     double const unit = std::nearbyint(value * per_unit);
-    bool const is_exact = std::abs(unit) < largest_exact && unit / per_unit == value;
+    bool const is_exact = std::abs(unit) < largest_whole && unit / per_unit == value;
     if (!is_exact || (unit == 0 && std::signbit(value))) return false;
     units[i] = static_cast<std::int64_t>(unit);
   }
@@ -90,7 +90,7 @@ void Signal::close() {
   if (!is_packed) {
     constexpr double largest_float = std::numeric_limits<float>::max();
     bool const is_single = std::all_of(open_.begin(), open_.end(), [](double value) {
-      return std::abs(value) <= largest_float && is_same(static_cast<float>(value), value);
+      return std::abs(value) <= largest_float && is_same_with_sign(static_cast<float>(value), value);
     });
     if (is_single) {
       std::vector<float> singles(block_size);

@@ -29,9 +29,9 @@ double milliseconds(std::uint64_t time, std::uint64_t zero) {
   return static_cast<double>(ticks) / ticks_per_ms;
 }
 
-class Reader {
+class SvdxReader {
  public:
-  Reader(SvdxContainer const& container, ScopeProject const& project)
+  SvdxReader(SvdxContainer const& container, ScopeProject const& project)
       : container_(container), project_(project) {}
 
   std::variant<Recording, BadRecording> read() {
@@ -135,7 +135,7 @@ std::variant<Recording, BadRecording> read_svdx_recording(std::string_view file)
   auto const& parts = std::get<SvdxContainer>(container);
   auto project = read_project(parts.xml, parts.xml_offset);
   if (auto* const bad = std::get_if<BadRecording>(&project)) return std::move(*bad);
-  return Reader(parts, std::get<ScopeProject>(project)).read();
+  return SvdxReader(parts, std::get<ScopeProject>(project)).read();
 }
 
 }  // namespace axisc::recordings

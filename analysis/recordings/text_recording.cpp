@@ -30,9 +30,9 @@ bool is_end(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(around) + 1 - begin) == "EOF";
 }
 
-class Reader {
+class TextReader {
  public:
-  explicit Reader(ByteSource source) : lines_(as_utf8(std::move(source))) {}
+  explicit TextReader(ByteSource source) : lines_(as_utf8(std::move(source))) {}
 
   std::variant<Recording, BadRecording> read() {
     if (!read_header()) return problem_;
@@ -145,7 +145,7 @@ class Reader {
 }  // namespace
 
 std::variant<Recording, BadRecording> read_text_recording(ByteSource source) {
-  return Reader(std::move(source)).read();
+  return TextReader(std::move(source)).read();
 }
 
 }  // namespace axisc::recordings

@@ -12,7 +12,8 @@ namespace axisc::comparison {
 
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+/// Deviation of a reading for which no move is planned.
+constexpr double without_plan = std::numeric_limits<double>::infinity();
 
 /// Of a move, by the readings of the keys that act in it.
 struct ComparedMove {
@@ -34,7 +35,7 @@ ComparedMove compared(Move const& move, motion::PathDynamics const& dynamics, Re
     if (found.deviations.contains(readings)) continue;
     auto const plan = planned_setpoints(move, dynamics, readings, path.size() + 1);
     if (!plan) {
-      found.deviations[readings] = {.largest = unlimited, .excess = unlimited};
+      found.deviations[readings] = {.largest = without_plan, .excess = without_plan};
       continue;
     }
     auto const [place, is_new] = known.try_emplace(*plan);

@@ -137,7 +137,6 @@ BlockMode block_mode(PathDynamics const& dynamics, BlockDynamics const* words, b
   mode.projection = readings.projection;
   mode.circle = readings.circle;
   mode.corner = readings.corner;
-  constexpr double um_per_mm = 1000;
   mode.vector_velocity = units.velocity(said.vector.velocity * um_per_mm);
   mode.vector_up = units.acceleration(said.vector.acceleration);
   mode.vector_down = units.acceleration(said.vector.deceleration);

@@ -6,9 +6,9 @@
 namespace axisc::motion {
 namespace {
 
-constexpr int most_steps = 200;
-constexpr double same_velocity = 1e-15;
-constexpr double last_step = 1e-8;
+constexpr int most_peak_steps = 200;
+constexpr double same_peak = 1e-15;
+constexpr double last_peak_step = 1e-8;
 
 double way_through(BlockTask const& task, double v) {
   double const in = task.velocity_in;
@@ -21,7 +21,7 @@ double highest_fitting(BlockTask const& task, double low, double high) {
   double const slowest = low;
   bool const rises = low >= task.velocity_in;
   double v = high;
-  for (int i = 0; i < most_steps && high - low > same_velocity * high; ++i) {
+  for (int i = 0; i < most_peak_steps && high - low > same_peak * high; ++i) {
     double next = 0;
     if (rises) {
       auto const up = task.up->reach(task.velocity_in, v);
@@ -29,7 +29,7 @@ double highest_fitting(BlockTask const& task, double low, double high) {
       double const over = up.way + down.way - task.length;
       (over <= 0 ? low : high) = v;
       next = v - over / (up.growth + down.growth);
-      if (std::abs(next - v) <= last_step * (v - slowest)) return std::clamp(next, low, high);
+      if (std::abs(next - v) <= last_peak_step * (v - slowest)) return std::clamp(next, low, high);
     } else {
       (way_through(task, v) <= task.length ? low : high) = v;
     }

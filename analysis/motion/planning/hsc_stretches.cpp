@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <list>
 #include <memory>
 #include <utility>
@@ -12,7 +11,6 @@
 namespace axisc::motion {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Rounding of velocities.
 constexpr double same_velocity = 1e-11;
 

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace axisc::motion {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Directions are computed from rounded end points.
 constexpr double no_turn = 1e-12;
 

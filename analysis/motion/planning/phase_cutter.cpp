@@ -6,7 +6,7 @@
 namespace axisc::motion {
 namespace {
 
-constexpr int most_steps = 100;
+constexpr int most_time_steps = 100;
 constexpr double same_share = 2e-16;
 
 }  // namespace
@@ -28,7 +28,7 @@ double time_at(Phase const& phase, double way, double near) {
   double low = 0;
   double high = phase.duration;
   double time = std::clamp(near, low, high);
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_time_steps; ++i) {
     double const over = phase.way_at(time) - way;
     (over <= 0 ? low : high) = time;
     double const velocity = phase.velocity_at(time);

@@ -1,5 +1,7 @@
 #include "analysis/motion/planning/ramp.hpp"
 
+#include "analysis/motion/limited_by.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,25 +10,24 @@
 namespace axisc::motion {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double pi_squared = std::numbers::pi * std::numbers::pi;
 /// Bits of a double, and some.
 constexpr int halvings = 80;
-constexpr int most_steps = 60;
-constexpr double last_step = 4e-6;
+constexpr int most_root_steps = 60;
+constexpr double last_root_step = 4e-6;
 /// Times this near to a whole cycle are it.
 constexpr double whole = 1e-9;
 
 /// Root of f(q) = A q³ + B q - L with A, B ≥ 0, by Halley's method: each step leaves the cube of its share as
 /// error.
 double cubic_root(double A, double B, double L, double q) {
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_root_steps; ++i) {
     double const square = A * q * q;
     double const f = q * (square + B) - L;
     double const slope = 3 * square + B;
     double const step = f * slope / (slope * slope - 3 * A * q * f);
     q -= step;
-    if (std::abs(step) < last_step * q) break;
+    if (std::abs(step) < last_root_step * q) break;
   }
   return q;
 }

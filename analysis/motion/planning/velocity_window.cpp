@@ -7,8 +7,7 @@ namespace axisc::motion {
 namespace {
 
 /// Rounding of ways and velocities.
-constexpr double same_way = 1e-12;
-constexpr double same_velocity = 1e-12;
+constexpr double window_rounding = 1e-12;
 
 /// The highest velocity before an element with which it ends at `next`.
 double highest_before(PathElement& element, double next) {
@@ -21,9 +20,9 @@ Exit exit_of(PathElement const& element, double velocity_in, double wanted) {
   if (wanted >= velocity_in) {
     return {std::min(wanted, element.up->fastest(velocity_in, element.length)), true};
   }
-  if (element.down->way(wanted, velocity_in) <= element.length * (1 + same_way)) return {wanted, true};
+  if (element.down->way(wanted, velocity_in) <= element.length * (1 + window_rounding)) return {wanted, true};
   // The way of a small change is that of a difference of velocities, of which rounding leaves few digits.
-  if (velocity_in <= element.down->fastest(wanted, element.length) * (1 + same_velocity)) {
+  if (velocity_in <= element.down->fastest(wanted, element.length) * (1 + window_rounding)) {
     return {wanted, true};
   }
   double const slower = element.down->slowest(wanted, velocity_in, element.length);
@@ -32,8 +31,8 @@ Exit exit_of(PathElement const& element, double velocity_in, double wanted) {
 
 LimitedBy cause_of(double velocity_out, PathElement const* next, bool waits_for_blocks, bool ends) {
   if (next == nullptr) return ends ? LimitedBy::stop : LimitedBy::look_ahead;
-  if (velocity_out >= next->entry * (1 - same_velocity)) return next->entry_cause;
-  if (velocity_out < next->allowed * (1 - same_velocity)) return LimitedBy::axis;
+  if (velocity_out >= next->entry * (1 - window_rounding)) return next->entry_cause;
+  if (velocity_out < next->allowed * (1 - window_rounding)) return LimitedBy::axis;
   return waits_for_blocks ? LimitedBy::look_ahead : LimitedBy::braking;
 }
 
@@ -54,7 +53,7 @@ void complete(PassedElement& passed) {
 void complete(PassedElement& passed, double middle) {
   passed.velocity_middle = middle;
   double const peak = std::max(passed.velocity_in, passed.velocity_middle);
-  if (peak >= passed.element.velocity * (1 - same_velocity)) {
+  if (peak >= passed.element.velocity * (1 - window_rounding)) {
     passed.limited_by = passed.element.velocity_cause;
   }
 }

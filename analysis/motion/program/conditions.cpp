@@ -3,7 +3,7 @@
 namespace axisc::motion {
 namespace {
 
-constexpr std::size_t deepest = 80;
+constexpr std::size_t most_open_conditions = 80;
 
 }  // namespace
 
@@ -28,7 +28,9 @@ bool ProgramConditions::take(NcBlock const& block) {
 }
 
 void ProgramConditions::open(NcBlock const& block, std::size_t at) {
-  if (open_.size() >= deepest) return problems_.refuse(block, block.tokens[at], says::cannot_simulate_depth);
+  if (open_.size() >= most_open_conditions) {
+    return problems_.refuse(block, block.tokens[at], says::cannot_simulate_depth);
+  }
   bool const outer = is_active();
   bool const holds = outer && variables_.value_behind(at, block, problems_) != 0;
   open_.push_back({.holds = holds, .held = holds || !outer, .opening = KeptBlock(block)});

@@ -13,7 +13,7 @@ namespace axisc::recordings {
 namespace {
 
 constexpr std::string_view version = "01.00.00.40";
-constexpr std::size_t head_size = version.size() + 7 * 8;
+constexpr std::size_t block_head_size = version.size() + 7 * 8;
 constexpr std::size_t level_size = 56;
 constexpr std::size_t most_levels = 64;
 constexpr std::uint64_t per_entry = 16;
@@ -147,7 +147,7 @@ std::variant<BlockHead, BadRecording> read_block_head(SvdxBlock const& block, Sa
   auto const bad = [&block](RecordingProblem problem, std::size_t at) {
     return BadRecording{.problem = problem, .byte = block.offset + at};
   };
-  if (bytes.size() < head_size) return bad(RecordingProblem::bad_block, 0);
+  if (bytes.size() < block_head_size) return bad(RecordingProblem::bad_block, 0);
   if (!bytes.starts_with(version)) {
     auto refused = bad(RecordingProblem::unknown_version, 0);
     refused.text = shown_text(bytes.substr(0, version.size()));
@@ -161,12 +161,13 @@ std::variant<BlockHead, BadRecording> read_block_head(SvdxBlock const& block, Sa
   bool const is_sound = head.start <= head.first && head.first <= head.last && word(5) == per_entry &&
                         head.sample_time > 0 && levels >= 1 && levels <= most_levels;
   if (!is_sound) return bad(RecordingProblem::bad_block, version.size());
-  if ((bytes.size() - head_size) / level_size < levels) return bad(RecordingProblem::bad_block, head_size);
+  if ((bytes.size() - block_head_size) / level_size < levels)
+    return bad(RecordingProblem::bad_block, block_head_size);
   head.levels.resize(levels);
-  std::size_t end = head_size + level_size * levels;
+  std::size_t end = block_head_size + level_size * levels;
   auto const entry_size = time_size + 2 * size_of(type);
   for (std::size_t i = 0; i < levels; ++i) {
-    std::size_t const at = head_size + level_size * i;
+    std::size_t const at = block_head_size + level_size * i;
     std::size_t const level = levels - 1 - i;
     auto const count = number_at<std::uint64_t>(bytes, at);
     bool const is_sound_level = number_at<std::uint64_t>(bytes, at + 8) == count &&

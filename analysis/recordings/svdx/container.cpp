@@ -9,7 +9,7 @@ namespace axisc::recordings {
 
 namespace {
 
-constexpr std::size_t head_size = 20;
+constexpr std::size_t file_head_size = 20;
 constexpr std::size_t entry_size = 20;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -26,24 +26,24 @@ bool has_index(std::vector<SvdxBlock> const& blocks, std::uint32_t index) {
 
 bool is_binary(std::string_view first_bytes) {
   bool const is_utf16 = first_bytes.starts_with("\xFF\xFE") || first_bytes.starts_with("\xFE\xFF");
-  return !is_utf16 && first_bytes.substr(0, head_size).find('\0') != std::string_view::npos;
+  return !is_utf16 && first_bytes.substr(0, file_head_size).find('\0') != std::string_view::npos;
 }
 
 std::variant<SvdxContainer, BadRecording> read_container(std::string_view file) {
-  if (file.size() < head_size) return bad(RecordingProblem::too_short, file.size());
+  if (file.size() < file_head_size) return bad(RecordingProblem::too_short, file.size());
   auto const xml_offset = number_at<std::uint64_t>(file, 0);
   auto const xml_size = number_at<std::uint64_t>(file, 8);
   auto const count = number_at<std::uint32_t>(file, 16);
   if (xml_offset > file.size() || xml_size != file.size() - xml_offset) {
     return bad(RecordingProblem::too_short, 0);
   }
-  if (xml_offset < head_size || count > (xml_offset - head_size) / entry_size) {
+  if (xml_offset < file_head_size || count > (xml_offset - file_head_size) / entry_size) {
     return bad(RecordingProblem::bad_container, 16);
   }
   SvdxContainer found;
-  std::size_t end = head_size + entry_size * count;
+  std::size_t end = file_head_size + entry_size * count;
   for (std::size_t i = 0; i < count; ++i) {
-    std::size_t const entry = head_size + entry_size * i;
+    std::size_t const entry = file_head_size + entry_size * i;
     auto const offset = number_at<std::uint64_t>(file, entry);
     auto const size = number_at<std::uint64_t>(file, entry + 8);
     auto const index = number_at<std::uint32_t>(file, entry + 16);

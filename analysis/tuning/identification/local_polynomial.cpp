@@ -14,16 +14,16 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr std::size_t reach = local_reach;
-constexpr std::size_t lines = 2 * reach + 1;
+constexpr std::size_t window_lines = 2 * reach + 1;
 constexpr std::size_t terms = 3;
 
-using Window = std::array<Complex, lines>;
-using Powers = std::array<std::array<double, lines>, terms>;
+using Window = std::array<Complex, window_lines>;
+using Powers = std::array<std::array<double, window_lines>, terms>;
 
 /// (q/6)^o: another scale of h_1 and h_2, and better conditioned.
 Powers powers() {
   Powers made{};
-  for (std::size_t i = 0; i < lines; ++i) {
+  for (std::size_t i = 0; i < window_lines; ++i) {
     double const q = (static_cast<double>(i) - reach) / reach;
     for (std::size_t o = 0; o < terms; ++o) made.at(o).at(i) = o == 0 ? 1 : made.at(o - 1).at(i) * q;
   }
@@ -37,8 +37,8 @@ Powers leakage_base() {
     auto& one = base.at(o);
     for (std::size_t before = 0; before < o; ++before) {
       double product = 0;
-      for (std::size_t i = 0; i < lines; ++i) product += one.at(i) * base.at(before).at(i);
-      for (std::size_t i = 0; i < lines; ++i) one.at(i) -= product * base.at(before).at(i);
+      for (std::size_t i = 0; i < window_lines; ++i) product += one.at(i) * base.at(before).at(i);
+      for (std::size_t i = 0; i < window_lines; ++i) one.at(i) -= product * base.at(before).at(i);
     }
     double square = 0;
     for (double const value : one) square += value * value;
@@ -51,8 +51,8 @@ Powers leakage_base() {
 void take_leakage(Window& window, Powers const& base) {
   for (auto const& one : base) {
     Complex product = 0;
-    for (std::size_t i = 0; i < lines; ++i) product += window.at(i) * one.at(i);
-    for (std::size_t i = 0; i < lines; ++i) window.at(i) -= product * one.at(i);
+    for (std::size_t i = 0; i < window_lines; ++i) product += window.at(i) * one.at(i);
+    for (std::size_t i = 0; i < window_lines; ++i) window.at(i) -= product * one.at(i);
   }
 }
 
@@ -64,7 +64,7 @@ struct Equations {
 
   void add(std::array<Window, terms> const& columns, Window const& output) {
     for (std::size_t a = 0; a < terms; ++a) {
-      for (std::size_t i = 0; i < lines; ++i) {
+      for (std::size_t i = 0; i < window_lines; ++i) {
         auto const conjugate = std::conj(columns.at(a).at(i));
         right.at(a) += conjugate * output.at(i);
         for (std::size_t b = 0; b < terms; ++b) matrix.at(a).at(b) += conjugate * columns.at(b).at(i);
@@ -140,7 +140,7 @@ LocalResponse local_response(std::span<double const> in, std::span<double const>
   }
   auto const power = powers();
   auto const base = leakage_base();
-  std::size_t const freedom = count * lines - count * terms - terms;
+  std::size_t const freedom = count * window_lines - count * terms - terms;
   LocalResponse found;
   found.response.has_phase = true;
   for (std::size_t k = reach + 1; k + reach < length / 2; ++k) {
@@ -149,7 +149,7 @@ LocalResponse local_response(std::span<double const> in, std::span<double const>
     for (std::size_t part = 0; part < count; ++part) {
       std::array<Window, terms> columns{};
       Window output{};
-      for (std::size_t i = 0; i < lines; ++i) {
+      for (std::size_t i = 0; i < window_lines; ++i) {
         output.at(i) = outputs[part][k + i - reach];
         for (std::size_t o = 0; o < terms; ++o) {
           columns.at(o).at(i) = inputs[part][k + i - reach] * power.at(o).at(i);

@@ -35,7 +35,7 @@ bool votes(Identification const& found) {
   return !found.peaks.empty() || found.doubt == Doubt::no_peak || found.doubt == Doubt::moving;
 }
 
-FoundMode mode_of(std::vector<Peak const*> const& peaks, Evidence evidence) {
+FoundMode found_mode(std::vector<Peak const*> const& peaks, Evidence evidence) {
   auto const* const best = *std::min_element(peaks.begin(), peaks.end(), [](Peak const* a, Peak const* b) {
     return a->frequency_uncertainty < b->frequency_uncertainty;
   });
@@ -83,7 +83,7 @@ Responses common_modes(std::span<Measurement const> recordings, std::vector<Iden
       }
       auto const kind = is_spectrum(recordings[i]) ? Evidence::spectrum : Evidence::response;
       if (2 * same.size() > voters) {
-        responses.modes.push_back(mode_of(same, kind));
+        responses.modes.push_back(found_mode(same, kind));
       } else if (!responses.disagreement) {
         responses.disagreement =
             Disagreement{.evidence = {kind, kind}, .frequencies = {peak.frequency, 0}, .recordings = {i, i}};

@@ -11,8 +11,6 @@
 namespace axisc::tuning {
 namespace {
 
-constexpr double largest_weight = 7;
-
 /// Long enough for the mechanics to ring out and for the position loop to settle.
 double ringing_seconds(double kv) {
   return std::clamp(10 / kv, 4.0, 60.0);

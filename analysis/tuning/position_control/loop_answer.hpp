@@ -11,6 +11,9 @@
 
 namespace axisc::tuning {
 
+/// The control limits the weight of a stage to this.
+inline constexpr double largest_weight = 7;
+
 /// Answers to v_add = 1 at a frequency, in SI units.
 struct AnswerAt {
   std::complex<double> set, motor, direct;  ///< velocities that stages measure

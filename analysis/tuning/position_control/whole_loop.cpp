@@ -1,5 +1,6 @@
 #include "analysis/tuning/position_control/whole_loop.hpp"
 
+#include "analysis/tuning/position_control/loop_answer.hpp"
 #include "analysis/tuning/position_control/loop_trials.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace {
 
 using machine::PositionControl;
 
-constexpr double largest_weight = 7;
 /// The largest limit that P-AXIS-00757 allows.
 constexpr double highest_limit = 2000;
 

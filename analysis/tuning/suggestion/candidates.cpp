@@ -39,7 +39,7 @@ design::Hertz rounded(double frequency) {
 }
 
 /// A chain whose response is known.
-struct Part {
+struct ChainPart {
   Chain chain;
   std::shared_ptr<ImpulseResponse const> response;
   std::complex<double> gain = 1;  ///< on the circle
@@ -127,7 +127,7 @@ class Enumerator {
   Enumeration run() && {
     auto const whole_kernels = parts(kernels(task_));
     auto const lows = parts(low_passes(task_));
-    std::vector<Part> cascades = lows;
+    std::vector<ChainPart> cascades = lows;
     for (auto const& kernel : whole_kernels) take(kernel);
     for (auto const& low : lows) take(low);
     for (auto first = lows.begin(); first != lows.end(); ++first) {
@@ -156,12 +156,12 @@ class Enumerator {
   static constexpr std::size_t most_filters = 3;
 
   /// Chains as the control computes them, without those that it cannot.
-  [[nodiscard]] std::vector<Part> parts(std::vector<Chain> chains) const {
+  [[nodiscard]] std::vector<ChainPart> parts(std::vector<Chain> chains) const {
     if (task_.readings != design::Readings{}) {
       std::erase_if(chains, [this](Chain& chain) { return !read(chain); });
     }
     auto responses = impulse_responses(chains, task_.cycle_time);
-    std::vector<Part> found;
+    std::vector<ChainPart> found;
     for (std::size_t i = 0; i < chains.size(); ++i) {
       auto const on_circle = gain(responses[i], theta_);
       auto summary = judge_.summary(responses[i]);
@@ -174,10 +174,10 @@ class Enumerator {
   }
 
   /// Of controls that have Vibration Guard.
-  [[nodiscard]] std::vector<Part> guards() const {
+  [[nodiscard]] std::vector<ChainPart> guards() const {
     if (task_.guards == Standing::unknown) return {};
     auto found = parts(guard_candidates(task_));
-    std::erase_if(found, [this](Part const& part) {
+    std::erase_if(found, [this](ChainPart const& part) {
       return is_coarse(*part.chain.kernel, *part.response, task_.cycle_time);
     });
     return found;
@@ -213,14 +213,14 @@ class Enumerator {
   }
 
   /// Band-stops of order 1: what cascades are made of.
-  static bool is_simple(Part const& part) {
+  static bool is_simple(ChainPart const& part) {
     return std::all_of(part.chain.filters.begin(), part.chain.filters.end(),
                        [](FilterSpecification const& filter) { return filter.order == 1; });
   }
 
   /// Band-stops on one resonance, on two and on three.
-  [[nodiscard]] std::vector<Part> bands() const {
-    std::vector<Part> found;
+  [[nodiscard]] std::vector<ChainPart> bands() const {
+    std::vector<ChainPart> found;
     for (auto const& resonance : task_.resonances) {
       auto const here = parts(band_stops(task_, resonance));
       auto const before = found;
@@ -237,13 +237,13 @@ class Enumerator {
     return found;
   }
 
-  static Chain joined(Part const& first, Part const& second) {
+  static Chain joined(ChainPart const& first, ChainPart const& second) {
     Chain chain = first.chain;
     chain.filters.insert(chain.filters.end(), second.chain.filters.begin(), second.chain.filters.end());
     chain.kernel = second.chain.kernel;
     return chain;
   }
-  [[nodiscard]] Part series(Part const& first, Part const& second) const {
+  [[nodiscard]] ChainPart series(ChainPart const& first, ChainPart const& second) const {
     auto response = std::make_shared<ImpulseResponse const>(in_series(*first.response, *second.response));
     auto summary = judge_.summary(*response);
     return {.chain = joined(first, second),
@@ -276,11 +276,11 @@ class Enumerator {
     found_.candidates.push_back(std::move(candidate));
   }
 
-  void take(Part const& part) {
+  void take(ChainPart const& part) {
     if (!is_possible(part.gain, part.response->delay)) return;
     add({.chain = part.chain, .figures = judge_.estimate(*part.response), .first = part.response});
   }
-  void take_series(Part const& first, Part const& second) {
+  void take_series(ChainPart const& first, ChainPart const& second) {
     if (!is_possible(first.gain * second.gain, first.response->delay + second.response->delay)) return;
     bool const is_bounded = first.summary.is_positive && second.summary.is_positive;
     add({.chain = joined(first, second),

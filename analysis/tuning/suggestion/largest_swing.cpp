@@ -14,7 +14,7 @@ constexpr double found_within = 1e-4;
 constexpr std::size_t lanes = 8;
 
 /// One of the four parts of the edge.
-struct Part {
+struct BoundaryPart {
   bool is_arc = false;
   double fixed = 0;      ///< of a ray its angle in the plane of s, of an arc its frequency
   double curvature = 0;  ///< a bound of |q''| on it
@@ -31,7 +31,7 @@ struct Part {
 };
 
 struct Interval {
-  Part const* part;
+  BoundaryPart const* part;
   double from, to;
 
   [[nodiscard]] double middle() const { return (from + to) / 2; }
@@ -131,7 +131,7 @@ double angle_of(double damping) {
 }  // namespace
 
 double swing(Drive const& drive, double frequency, double damping) {
-  Part const ray{.is_arc = false, .fixed = angle_of(damping)};
+  BoundaryPart const ray{.is_arc = false, .fixed = angle_of(damping)};
   Interval const point{.part = &ray, .from = frequency, .to = frequency};
   return Pass(drive, &point, 1).found(0, point);
 }
@@ -181,10 +181,11 @@ double largest_swing(Drive const& drive, SwingBand const& band, double negligibl
     return curvature_bound(drive, std::exp(-frequency * damping));
   };
   std::array const parts{
-      Part{.is_arc = false, .fixed = least, .curvature = bound(band.lowest, band.least_damping)},
-      Part{.is_arc = false, .fixed = most, .curvature = bound(band.lowest, band.most_damping)},
-      Part{.is_arc = true, .fixed = band.lowest, .curvature = bound(band.lowest, band.least_damping)},
-      Part{.is_arc = true, .fixed = band.highest, .curvature = bound(band.highest, band.least_damping)}};
+      BoundaryPart{.is_arc = false, .fixed = least, .curvature = bound(band.lowest, band.least_damping)},
+      BoundaryPart{.is_arc = false, .fixed = most, .curvature = bound(band.lowest, band.most_damping)},
+      BoundaryPart{.is_arc = true, .fixed = band.lowest, .curvature = bound(band.lowest, band.least_damping)},
+      BoundaryPart{
+          .is_arc = true, .fixed = band.highest, .curvature = bound(band.highest, band.least_damping)}};
   std::vector<Interval> open;
   for (auto const& part : parts) {
     double const from = part.is_arc ? least : band.lowest;

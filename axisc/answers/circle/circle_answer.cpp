@@ -51,7 +51,6 @@ namespace {
 using namespace presentation;
 using circle::Deviations;
 
-constexpr double ppm = 1e6;
 constexpr std::size_t enough_points = 360;
 /// Of the largest cause, and in µm: smaller ones need no remedy.
 constexpr double notable_share = 0.1;
@@ -76,7 +75,7 @@ Section prediction_data(CircleCase const& one) {
   auto filters = filters_table(one);
   auto causes = data_section("causes", {data("radius_um", one.predicted.radius_deviation()),
                                         data("gain_difference", one.predicted.gain_difference()),
-                                        data("delay_difference_us", one.delay_difference_s() * ppm)});
+                                        data("delay_difference_us", one.delay_difference_s() * millionths)});
   causes.blocks.emplace_back(std::move(filters));
   return {.key = "prediction",
           .title = {},
@@ -90,8 +89,8 @@ Section causes_data(RecordedCircle const& recorded) {
       data("radius_um", found.radius),
       data("centre_um", Numbers{{found.centre[0], found.centre[1]}}),
       data("gain_difference", found.gain_difference),
-      data("squareness_um_per_m", found.squareness * ppm),
-      data("delay_difference_us", found.delay_difference / recorded.angular_speed * ppm),
+      data("squareness_um_per_m", found.squareness * millionths),
+      data("delay_difference_us", found.delay_difference / recorded.angular_speed * millionths),
       data("backlash_um",
            found.is_separable ? Value(Numbers{{found.backlash[0], found.backlash[1]}}) : Value()),
       data("backlash_uncertainty_um",

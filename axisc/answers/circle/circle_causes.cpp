@@ -1,16 +1,14 @@
 #include "axisc/answers/circle/circle_answer.hpp"
+#include "axisc/answers/circle/circle_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace axisc::says {
 
-constexpr Sentence radius{"radius", "Radius"};
 constexpr Sentence gain{"gain {u} - {v}", "Verstärkung {u} - {v}"};
-constexpr Sentence delay{"delay {u} - {v}", "Verzögerung {u} - {v}"};
 constexpr Sentence squareness{"squareness", "Rechtwinkligkeit"};
 constexpr Sentence cross_term{"cross term", "Kreuzterm"};
-constexpr Sentence backlash{"backlash {axis}", "Lose {axis}"};
 constexpr Sentence spike{"reversal {axis}", "Umkehr {axis}"};
 
 constexpr Sentence filters_shrink{

@@ -4,7 +4,19 @@
 #include "axisc/answers/circle/circular_test.hpp"
 #include "presentation/document.hpp"
 
+namespace axisc::says {
+
+// Causes that tables and sentences name alike.
+inline constexpr Sentence radius{"radius", "Radius"};
+inline constexpr Sentence delay{"delay {u} - {v}", "Verzögerung {u} - {v}"};
+inline constexpr Sentence backlash{"backlash {axis}", "Lose {axis}"};
+
+}  // namespace axisc::says
+
 namespace axisc {
+
+/// Of a share: µm/m; of seconds: µs.
+inline constexpr double millionths = 1e6;
 
 // For people: predicted, and beside it what was recorded.
 

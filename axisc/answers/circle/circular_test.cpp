@@ -1,6 +1,7 @@
 #include "axisc/answers/circle/circular_test.hpp"
 
 #include "analysis/motion/contour/position_delays.hpp"
+#include "analysis/motion/point.hpp"
 #include "axisc/asked/plane.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/sentences.hpp"
@@ -44,10 +45,9 @@ namespace axisc {
 namespace {
 
 constexpr Code unlike_delays{4011};
-constexpr double um_per_mm = 1000;
 constexpr double seconds_per_minute = 60;
 /// Of --feed and --radius from what was recorded.
-constexpr double largest_difference = 0.01;
+constexpr double largest_departure = 0.01;
 
 bool is_linear(machine::AxisConfiguration const& axis) {
   return axis.type == machine::AxisType::translatory && !axis.gantry_master;
@@ -119,7 +119,7 @@ CircleCase predicted(CircleMachine const& machine, Plane const& plane, double fe
     }
     one.filtered.at(i) = filtered_axis(machine.image, plane.at(i), later[i], omega);
   }
-  one.predicted = {.radius = radius_mm * um_per_mm,
+  one.predicted = {.radius = radius_mm * motion::um_per_mm,
                    .gain_u = one.filtered[0].gain(),
                    .gain_v = one.filtered[1].gain(),
                    .phase = omega * one.delay_difference_s()};
@@ -142,7 +142,7 @@ double settling_s(ImageFile const& image, Plane const& plane) {
 }
 
 void compare(std::string const& option, double given, double recorded, std::string const& unit) {
-  if (std::abs(given - recorded) <= largest_difference * recorded) return;
+  if (std::abs(given - recorded) <= largest_departure * recorded) return;
   throw Failure({says::not_recorded,
                  {{"option", option},
                   {"given", format_rounded(given, 6)},
@@ -180,7 +180,7 @@ CircleCase recorded(CircleMachine const& machine, ImageFile const& image, Circle
   auto const plane =
       planes.size() == 1 ? planes.front() : recorded_plane(machine, files.front(), wanted.actuals, planes);
   auto found = recorded_circle(machine, plane, files, wanted, settling_s(image, plane));
-  double const radius_mm = found.radius / um_per_mm;
+  double const radius_mm = found.radius / motion::um_per_mm;
   double const feed = found.feed_mm_per_min();
   if (question.radius_mm) compare("radius", *question.radius_mm, radius_mm, "mm");
   if (wanted.feed) compare("feed", *wanted.feed, feed, "mm/min");

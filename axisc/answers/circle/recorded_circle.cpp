@@ -4,6 +4,7 @@
 #include "analysis/circle/external_turns.hpp"
 #include "analysis/circle/recorded_turns.hpp"
 #include "analysis/comparison/residual.hpp"
+#include "analysis/motion/point.hpp"
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/recording_problems.hpp"
@@ -81,7 +82,6 @@ using circle::RecordedPath;
 using circle::Sense;
 using circle::Turn;
 
-constexpr double um_per_mm = 1000;
 /// Of radius and speed, by which the directions may differ.
 constexpr double largest_difference = 0.01;
 /// Of a radius that only --radius tells: drives and filters never take more.
@@ -228,7 +228,8 @@ class CircleReader {
     found_.reference = CircleReference::least_squares;
     if (!question_.radius_mm) throw refusal(says::needs_radius, file.name);
     if (!question_.feed) throw refusal(says::needs_feed, file.name);
-    auto turns = circle::external_turns(known_angles, known_deviations, *question_.radius_mm * um_per_mm);
+    auto turns =
+        circle::external_turns(known_angles, known_deviations, *question_.radius_mm * motion::um_per_mm);
     if (auto* const all = std::get_if<std::vector<Turn>>(&turns)) {
       constexpr double seconds = 60;
       for (auto& turn : *all) turn.angular_speed = *question_.feed / seconds / *question_.radius_mm;
@@ -258,16 +259,17 @@ class CircleReader {
     std::vector<circle::Sample> all;
     for (auto& turn : found_.turns) all.insert(all.end(), turn.samples.begin(), turn.samples.end());
     auto const common = circle::fit_circle(all);
-    double const given = *question_.radius_mm * um_per_mm;
+    double const given = *question_.radius_mm * motion::um_per_mm;
     if (!(std::abs(common.radius - given) <= largest_shrink * given)) {
-      throw refusal(says::other_radius_given, file,
-                    {{"given", number(*question_.radius_mm)}, {"found", number(common.radius / um_per_mm)}});
+      throw refusal(
+          says::other_radius_given, file,
+          {{"given", number(*question_.radius_mm)}, {"found", number(common.radius / motion::um_per_mm)}});
     }
     for (auto& turn : found_.turns) {
       auto const own = circle::fit_circle(turn.samples);
       double const distance = std::hypot(own.u - common.u, own.v - common.v);
       if (distance > centre_difference * common.radius) {
-        throw refusal(says::other_centre, file, {{"distance", number(2 * distance / um_per_mm)}});
+        throw refusal(says::other_centre, file, {{"distance", number(2 * distance / motion::um_per_mm)}});
       }
       turn.radius = own.radius;
       for (auto& sample : turn.samples) {
@@ -280,23 +282,26 @@ class CircleReader {
   void compare_directions(std::string const& file) {
     constexpr double seconds = 60;
     auto& turns = found_.turns;
-    auto const feed = [](Turn const& turn) { return turn.radius * turn.angular_speed * seconds / um_per_mm; };
+    auto const feed = [](Turn const& turn) {
+      return turn.radius * turn.angular_speed * seconds / motion::um_per_mm;
+    };
     auto const differ = [](double a, double b) {
       return std::abs(a - b) > largest_difference * std::max(a, b);
     };
     auto const& first = turns.front();
     auto const& last = turns.back();
     if (differ(first.radius, last.radius)) {
-      throw refusal(
-          says::other_radius, file,
-          {{"first", number(first.radius / um_per_mm)}, {"second", number(last.radius / um_per_mm)}});
+      throw refusal(says::other_radius, file,
+                    {{"first", number(first.radius / motion::um_per_mm)},
+                     {"second", number(last.radius / motion::um_per_mm)}});
     }
     if (differ(feed(first), feed(last))) {
       throw refusal(says::other_feed, file, {{"first", number(feed(first))}, {"second", number(feed(last))}});
     }
     found_.angular_speed = (first.angular_speed + last.angular_speed) / 2;
-    found_.radius = found_.reference == CircleReference::least_squares ? *question_.radius_mm * um_per_mm
-                                                                       : (first.radius + last.radius) / 2;
+    found_.radius = found_.reference == CircleReference::least_squares
+                        ? *question_.radius_mm * motion::um_per_mm
+                        : (first.radius + last.radius) / 2;
     std::sort(turns.begin(), turns.end(), [](Turn const& a, Turn const& b) {
       return circle::sign_of(a.sense) > circle::sign_of(b.sense);
     });
@@ -315,7 +320,7 @@ class CircleReader {
 
 double RecordedCircle::feed_mm_per_min() const {
   constexpr double seconds = 60;
-  return radius * angular_speed * seconds / um_per_mm;
+  return radius * angular_speed * seconds / motion::um_per_mm;
 }
 
 RecordedCircle recorded_circle(CircleMachine const& machine, Plane const& plane,

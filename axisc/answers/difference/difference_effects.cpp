@@ -1,3 +1,4 @@
+#include "analysis/motion/point.hpp"
 #include "axisc/answers/certify/bound_quantity.hpp"
 #include "axisc/answers/difference/difference_parts.hpp"
 #include "axisc/answers/dynamics/driven_axis.hpp"
@@ -45,7 +46,7 @@ Value decibel(double magnitude) {
 }
 
 /// Figures of one side.
-struct Side {
+struct EffectsOfSide {
   image::ChainFigures const& chain;
   image::ProvedBounds const& bounds;
   design::CycleTime cycle_time;
@@ -79,7 +80,8 @@ struct Side {
   }
 };
 
-std::pair<Side, Side> sides_of(ShownDifference const& shown, image::ChainDifference const& chain) {
+std::pair<EffectsOfSide, EffectsOfSide> sides_of(ShownDifference const& shown,
+                                                 image::ChainDifference const& chain) {
   auto const& [before, after] = std::tie(shown.difference.before, shown.difference.after);
   return {{chain.before, chain.bounds_before, before.cycle_time, shown.feed_mm_per_min},
           {chain.after, chain.bounds_after, after.cycle_time, shown.feed_mm_per_min}};
@@ -186,9 +188,8 @@ std::vector<Block> effects_data(ShownDifference const& shown, image::ChainDiffer
 std::optional<double> corner_deviation_um(image::ChainFigures const& chain, double feed,
                                           design::CycleTime cycle_time) {
   if (!chain.corner_deviation) return std::nullopt;
-  constexpr double um_per_mm = 1000;
   constexpr double seconds_per_minute = 60;
-  return *chain.corner_deviation * feed * um_per_mm / seconds_per_minute * cycle_time.seconds();
+  return *chain.corner_deviation * feed * motion::um_per_mm / seconds_per_minute * cycle_time.seconds();
 }
 
 }  // namespace axisc

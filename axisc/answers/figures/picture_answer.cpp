@@ -1,5 +1,6 @@
 #include "axisc/answers/figures/picture_answer.hpp"
 
+#include "analysis/motion/point.hpp"
 #include "axisc/answers/execution/recorded_input.hpp"
 #include "axisc/answers/execution/timed_commands.hpp"
 #include "axisc/answers/figures/compare_figure.hpp"
@@ -171,7 +172,6 @@ std::optional<pictures::Figure> followed_path(PictureQuestion const& question, C
     errors.take({problem}, sources);
   };
   if (!survey_program(program, request, machine, group, take)) return std::nullopt;
-  constexpr double um_per_mm = 1000;
   PathRecorder recorder(plane.first, plane.second);
   static_cast<void>(follow_program(program, request, machine, group, recorder));
   return path_figure(
@@ -180,7 +180,7 @@ std::optional<pictures::Figure> followed_path(PictureQuestion const& question, C
        .axes = {axes[plane.first], axes[plane.second]},
        .cycle_seconds = machine.cycle_time.seconds(),
        .tolerance_um =
-           question.tolerance_mm ? std::optional(*question.tolerance_mm * um_per_mm) : std::nullopt},
+           question.tolerance_mm ? std::optional(*question.tolerance_mm * motion::um_per_mm) : std::nullopt},
       question.language);
 }
 

@@ -244,8 +244,7 @@ AxisCost cost_of(ReportSubject const& subject, EqualAxes const& axes) {
 
 std::optional<double> margin_um(ReportSubject const& subject, AxisCost const& cost) {
   if (!subject.contour.tolerance_mm || !cost.corner_um) return std::nullopt;
-  constexpr double um_per_mm = 1000;
-  return *subject.contour.tolerance_mm * um_per_mm - cost.largest_um();
+  return *subject.contour.tolerance_mm * motion::um_per_mm - cost.largest_um();
 }
 
 Table overview_table(ReportSubject const& subject, OverviewOrder order) {
