@@ -3,6 +3,7 @@
 #include "diagnostics/terminal.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,10 @@ void append_value(std::string& text, std::string_view placeholder, std::span<Arg
 }
 
 }  // namespace
+
+Message counted(std::size_t number, SentenceRef one, SentenceRef many) {
+  return {number == 1 ? one : many, {{.name = "count", .value = std::to_string(number)}}};
+}
 
 void append_rendered(std::string& text, SentenceRef sentence, std::span<Argument const> arguments,
                      Language language, Values values) {

@@ -4,6 +4,7 @@
 #include "diagnostics/sentence.hpp"
 #include "diagnostics/wording.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -31,6 +32,9 @@ struct Message {
   SentenceRef sentence = says::as_given;
   std::vector<Argument> arguments = {};
 };
+
+/// `one` if the number is 1, otherwise `many`; either has it as {count}.
+[[nodiscard]] Message counted(std::size_t number, SentenceRef one, SentenceRef many);
 
 /// Treatment of a sentence's values, which may come from a file; the sentence itself is printable.
 enum class Values : std::uint8_t {

@@ -23,13 +23,13 @@ std::size_t count_characters(std::string_view line) {
   return count;
 }
 
-struct Window {
+struct ShownPart {
   std::size_t begin = 0, end = 0;
 };
 
 /// The beginning of the line, which contains the name, if the whole marked part is in it; otherwise a third
 /// of the window is before the marked part. A sign takes one place at each end that is cut.
-Window window_around(std::size_t mark, std::size_t mark_end, std::size_t length, std::size_t room) {
+ShownPart window_around(std::size_t mark, std::size_t mark_end, std::size_t length, std::size_t room) {
   if (length <= room) return {.begin = 0, .end = length};
   if (std::min(mark_end, length) < room) return {.begin = 0, .end = room - 1};
   std::size_t const marked = std::min(mark_end, length) - mark;

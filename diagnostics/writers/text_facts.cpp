@@ -44,10 +44,6 @@ namespace {
 /// Limits the entries named: a run on one of many lists would otherwise name nearly the whole baseline.
 constexpr std::size_t most_stale_entries = 10;
 
-std::string counted(std::size_t number, SentenceRef one, SentenceRef many, Language language) {
-  return render({number == 1 ? one : many, {{.name = "count", .value = std::to_string(number)}}}, language);
-}
-
 std::string stale_text(Identity const& identity, Language language) {
   std::string subject = identity.file;
   for (std::string const& part : {identity.axis, identity.parameter}) {
@@ -68,29 +64,32 @@ std::string write_text_facts(RunFacts const& run, WriteOptions const& options) {
   auto const add = [&](std::string const& sentence) {
     text += paint(Style::note, render({says::word_note}, language)) + ": " + printable(sentence) + '\n';
   };
+  auto const add_counted = [&](std::size_t number, SentenceRef one, SentenceRef many) {
+    add(render(counted(number, one, many), language));
+  };
   if (run.fixes) {
     for (AppliedFix const& fix : run.fixes->named) {
       add(fix.file + ":" + std::to_string(fix.line) + ": " + render(fix.title, language));
     }
   }
   if (run.fixes && run.fixes->applied > 0) {
-    add(counted(run.fixes->applied, says::fixed_one, says::fixed_many, language));
+    add_counted(run.fixes->applied, says::fixed_one, says::fixed_many);
   }
   if (run.fixes && run.fixes->left_out > 0) {
-    add(counted(run.fixes->left_out, says::fixes_left_out_one, says::fixes_left_out_many, language));
+    add_counted(run.fixes->left_out, says::fixes_left_out_one, says::fixes_left_out_many);
   }
   if (!run.baseline) return text;
   BaselineFacts const& baseline = *run.baseline;
   if (baseline.recorded) {
-    add(counted(*baseline.recorded, says::baseline_recorded_one, says::baseline_recorded_many, language));
+    add_counted(*baseline.recorded, says::baseline_recorded_one, says::baseline_recorded_many);
   } else if (baseline.hidden > 0) {
-    add(counted(baseline.hidden, says::baseline_hidden_one, says::baseline_hidden_many, language));
+    add_counted(baseline.hidden, says::baseline_hidden_one, says::baseline_hidden_many);
   }
   std::size_t const shown = std::min(baseline.stale.size(), most_stale_entries);
   for (std::size_t i = 0; i < shown; ++i) add(stale_text(baseline.stale[i], language));
   if (shown < baseline.stale.size()) {
-    add(counted(baseline.stale.size() - shown, says::baseline_stale_further_one,
-                says::baseline_stale_further_many, language));
+    add_counted(baseline.stale.size() - shown, says::baseline_stale_further_one,
+                says::baseline_stale_further_many);
   }
   return text;
 }
@@ -108,9 +107,9 @@ std::string write_text_statistics(std::vector<CodeCount> const& counts, WriteOpt
     text += std::string(width - number.size(), ' ') + number + "  " + code_text(row.code) + "  " +
             std::string(row.name);
     if (row.fixable > 0) {
-      text +=
-          std::string(name_width - row.name.size() + 2, ' ') +
-          counted(row.fixable, says::statistics_fixable_one, says::statistics_fixable_many, options.language);
+      Message const fixable =
+          counted(row.fixable, says::statistics_fixable_one, says::statistics_fixable_many);
+      text += std::string(name_width - row.name.size() + 2, ' ') + render(fixable, options.language);
     }
     text += '\n';
   }

@@ -23,14 +23,6 @@ constexpr Sentence summary_nothing{"no findings", "keine Befunde"};
 }  // namespace axisc::says
 
 namespace axisc {
-namespace {
-
-std::string counted(std::size_t number, SentenceRef one, SentenceRef many, Language language) {
-  return render({number == 1 ? one : many, {{.name = "count", .value = std::to_string(number)}}}, language);
-}
-
-}  // namespace
-
 std::string write_text_summary(std::size_t files, FindingCounts const& counts, WriteOptions const& options,
                                std::size_t failures) {
   Painter const paint(options.color);
@@ -39,14 +31,15 @@ std::string write_text_summary(std::size_t files, FindingCounts const& counts, W
   auto const add = [&](std::size_t number, SentenceRef one, SentenceRef many, Style style) {
     if (number == 0) return;
     if (!found.empty()) found += ", ";
-    found += paint(style, counted(number, one, many, language));
+    found += paint(style, render(counted(number, one, many), language));
   };
   add(counts.errors, says::summary_errors_one, says::summary_errors_many, Style::error);
   add(counts.warnings, says::summary_warnings_one, says::summary_warnings_many, Style::warning);
   add(counts.notes, says::summary_notes_one, says::summary_notes_many, Style::note);
   add(failures, says::summary_failures_one, says::summary_failures_many, Style::error);
   if (found.empty()) found = render({says::summary_nothing}, language);
-  return counted(files, says::summary_files_one, says::summary_files_many, language) + ": " + found + '\n';
+  return render(counted(files, says::summary_files_one, says::summary_files_many), language) + ": " + found +
+         '\n';
 }
 
 }  // namespace axisc
