@@ -3,13 +3,19 @@
 
 #include "axisc/environment/failure.hpp"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace axisc::interface {
+
+/// Words for what is off unless it is asked for.
+inline constexpr std::array no_or_yes = {std::pair(std::string_view("no"), false),
+                                         std::pair(std::string_view("yes"), true)};
 
 /// Of the caller's program, not of files: AXISC_BAD_ARGUMENT.
 class BadArgument : public Failure {

@@ -74,13 +74,11 @@ Inputs inputs_of(Now& now, std::string const& path) {
   return inputs;
 }
 
-constexpr std::array no_or_yes = {std::pair(std::string_view("no"), false),
-                                  std::pair(std::string_view("yes"), true)};
-constexpr std::array yes_or_no = {no_or_yes[1], no_or_yes[0]};
+constexpr std::array yes_or_no = {interface::no_or_yes[1], interface::no_or_yes[0]};
 
 codegen::ImageOptions image_options(char const* json) {
   Asked const asked(json, "strip bounds image_version");
-  codegen::ImageOptions options{.strip = asked.word("strip", no_or_yes),
+  codegen::ImageOptions options{.strip = asked.word("strip", interface::no_or_yes),
                                 .bounds = asked.word("bounds", yes_or_no)};
   if (auto const version = asked.find("image_version")) {
     auto const number = parse_count(*version);

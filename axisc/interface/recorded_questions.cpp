@@ -22,8 +22,6 @@ namespace {
 constexpr std::array numbers = {std::pair(std::string_view("recognised"), ScaledNumbers::recognised),
                                 std::pair(std::string_view("scaled"), ScaledNumbers::shown),
                                 std::pair(std::string_view("raw"), ScaledNumbers::raw)};
-constexpr std::array no_or_yes = {std::pair(std::string_view("no"), false),
-                                  std::pair(std::string_view("yes"), true)};
 
 PositionUnits units(Asked const& asked) {
   return {.unit = asked.find("unit") ? asked.word("unit", recorded_units) : RecordedUnit::recognised,

@@ -16,8 +16,8 @@
 
 namespace axisc::says {
 
-constexpr Sentence json{"the plant file is not valid JSON here",
-                        "die Streckendatei ist hier kein gültiges JSON"};
+constexpr Sentence plant_json{"the plant file is not valid JSON here",
+                              "die Streckendatei ist hier kein gültiges JSON"};
 constexpr Sentence not_a_key{"\"{key}\" is not a key of a plant file; there are {known}",
                              "\"{key}\" ist kein Schlüssel einer Streckendatei; es gibt {known}"};
 constexpr Sentence not_a_number{"{key}={value}: a number {range} is needed",
@@ -43,10 +43,10 @@ using motion::PlantParameters;
 using Kind = configuration::JsonShapeKind;
 using enum configuration::JsonPresence;
 
-constexpr double unit = 1, kilo = 1e3, mega = 1e6, milli = 1e-3, micro = 1e-6, percent = 1e-2;
+constexpr double one = 1, kilo = 1e3, mega = 1e6, milli = 1e-3, micro = 1e-6, percent = 1e-2;
 
 /// A quantity in the unit that its name ends with; `in` is that unit in SI units.
-template <double PlantParameters::*member, double const& in = unit>
+template <double PlantParameters::*member, double const& in = one>
 void quantity(JsonReading const& /*reading*/, JsonShape const& /*shape*/, JsonValue const& value,
               void* target) {
   static_cast<PlantParameters*>(target)->*member = value.number * in;
@@ -106,7 +106,8 @@ constexpr std::array plant_keys = {
             "Which position is controlled; direct unless it says motor.", into<&PlantParameters::feedback>}};
 constexpr JsonShape plant_shape{.kind = Kind::object, .title = "Plant of one axis", .keys = plant_keys};
 constexpr JsonShape plants_shape{.kind = Kind::list, .items = &plant_shape};
-constexpr std::array file_keys = {JsonKey{"plants", &plants_shape, required, "One plant for each axis."}};
+constexpr std::array plant_file_keys = {
+    JsonKey{"plants", &plants_shape, required, "One plant for each axis."}};
 
 /// Those that are neither the name nor a comment.
 bool is_figure(JsonKey const& key) {
@@ -128,10 +129,11 @@ bool is_in_range(double number, JsonShape const& shape) {
 
 }  // namespace
 
-constexpr JsonShape plant_file_shape{.kind = Kind::object, .title = "Plant file of axisc", .keys = file_keys};
+constexpr JsonShape plant_file_shape{
+    .kind = Kind::object, .title = "Plant file of axisc", .keys = plant_file_keys};
 
 motion::PlantParameters read_plant(std::string const& path, std::string const& axis) {
-  LocatedFile const file(path, plant_file_shape, says::json, plant_file);
+  LocatedFile const file(path, plant_file_shape, says::plant_json, plant_file);
   auto const& plants = *file.find(file.root(), "plants");
   for (auto const item : plants.items) {
     auto const& plant = file[item];

@@ -13,8 +13,8 @@
 
 namespace axisc::says {
 
-constexpr Sentence json{"the schema file is not valid JSON here",
-                        "die Schemadatei ist hier kein gültiges JSON"};
+constexpr Sentence schema_json{"the schema file is not valid JSON here",
+                               "die Schemadatei ist hier kein gültiges JSON"};
 constexpr Sentence twice{"\"{value}\" is in this file twice", "\"{value}\" steht zweimal in dieser Datei"};
 constexpr Sentence too_many{"more than {count} single parameters; reduce the array sizes",
                             "mehr als {count} einzelne Parameter; die Feldgrößen verkleinern"};
@@ -35,9 +35,10 @@ using enum configuration::JsonPresence;
 constexpr JsonShape version{.kind = Kind::whole_number, .lowest = 1, .highest = 1};
 
 constexpr JsonShape rows_shape{.kind = Kind::list, .items = &schema_row_shape};
-constexpr std::array file_keys = {JsonKey{"version", &version, required, "Version of this layout."},
-                                  JsonKey{"parameters", &rows_shape, required,
-                                          "Parameters that are new, or of which something is said anew."}};
+constexpr std::array schema_file_keys = {
+    JsonKey{"version", &version, required, "Version of this layout."},
+    JsonKey{"parameters", &rows_shape, required,
+            "Parameters that are new, or of which something is said anew."}};
 
 schema::Parameter const* known_row(schema::Catalogue const& catalogue, std::string_view name) {
   auto const rows = catalogue.parameters();
@@ -71,11 +72,12 @@ void require_room(LocatedFile const& file, schema::Catalogue const& catalogue,
 
 }  // namespace
 
-constexpr JsonShape schema_file_shape{
-    .kind = Kind::object, .title = "Schema file of axisc: parameters of the control", .keys = file_keys};
+constexpr JsonShape schema_file_shape{.kind = Kind::object,
+                                      .title = "Schema file of axisc: parameters of the control",
+                                      .keys = schema_file_keys};
 
 schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::string const& path) {
-  LocatedFile const file(path, schema_file_shape, says::json);
+  LocatedFile const file(path, schema_file_shape, says::schema_json);
   auto const document = nlohmann::ordered_json::parse(file.bytes());
   auto const& items = file.find(file.root(), "parameters")->items;
   std::vector<Entry> entries;

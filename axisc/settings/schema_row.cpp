@@ -121,72 +121,79 @@ constexpr JsonShape either(std::array<JsonShape const*, count> const& shapes, Se
   return {.kind = Kind::either, .alternatives = shapes, .sentence = sentence};
 }
 
-constexpr JsonShape identifier{
+constexpr JsonShape identifier_shape{
     .accepts = is_identifier, .pattern = "^P-AXIS-[0-9]{5}$", .sentence = says::identifier};
-constexpr JsonShape name{.accepts = is_parameter_pattern,
-                         .pattern = R"(^(?!(.*\[){3})[a-z_][a-z0-9_]*(\[\])?(\.[a-z_][a-z0-9_]*(\[\])?)*$)",
-                         .sentence = says::name};
-constexpr JsonShape type{.words = schema::data_type_words};
-constexpr JsonShape array_size = whole_number(1, 1000);
-constexpr JsonShape array{.kind = Kind::list, .items = &array_size, .fewest = 1};
-constexpr JsonShape default_text{.may_be_empty = true};
+constexpr JsonShape name_shape{
+    .accepts = is_parameter_pattern,
+    .pattern = R"(^(?!(.*\[){3})[a-z_][a-z0-9_]*(\[\])?(\.[a-z_][a-z0-9_]*(\[\])?)*$)",
+    .sentence = says::name};
+constexpr JsonShape type_shape{.words = schema::data_type_words};
+constexpr JsonShape array_size_shape = whole_number(1, 1000);
+constexpr JsonShape array_shape{.kind = Kind::list, .items = &array_size_shape, .fewest = 1};
+constexpr JsonShape default_text_shape{.may_be_empty = true};
 
 constexpr std::array unit_keys = {
     JsonKey{"translatory", &configuration::json_text, required, "Of linear axes."},
     JsonKey{"rotary", &configuration::json_text, required, "Of rotary axes and spindles."}};
-constexpr JsonShape units{.kind = Kind::object, .title = "Unit per kind of axis", .keys = unit_keys};
-constexpr std::array unit_shapes = {&configuration::json_text, &units};
-constexpr JsonShape unit = either(unit_shapes, says::unit);
+constexpr JsonShape units_shape{.kind = Kind::object, .title = "Unit per kind of axis", .keys = unit_keys};
+constexpr std::array unit_shapes = {&configuration::json_text, &units_shape};
+constexpr JsonShape unit_shape = either(unit_shapes, says::unit);
 
-constexpr JsonShape any_number{.kind = Kind::number};
-constexpr JsonShape limit_text{
+constexpr JsonShape any_number_shape{.kind = Kind::number};
+constexpr JsonShape limit_text_shape{
     .accepts = is_limit,
     .pattern = "^((MIN|MAX)\\((UNS08|UNS16|UNS32|UNS64|SGN08|SGN16|SGN32|SGN64|REAL64)\\)|P-AXIS-[0-9]{5})$"};
-constexpr std::array limit_shapes = {&any_number, &limit_text};
-constexpr JsonShape limit = either(limit_shapes, says::limit);
+constexpr std::array limit_shapes = {&any_number_shape, &limit_text_shape};
+constexpr JsonShape limit_shape = either(limit_shapes, says::limit);
 
-constexpr JsonShape symbol{.accepts = is_symbol, .pattern = "^[A-Z0-9_]+$", .sentence = says::symbols};
-constexpr JsonShape number_of_word = whole_number(0, 65535, says::number_names);
-constexpr std::array symbol_number_shapes = {&number_of_word, &configuration::json_null};
-constexpr JsonShape symbol_number = either(symbol_number_shapes, says::symbols);
-constexpr JsonShape symbols{
-    .kind = Kind::map, .items = &symbol_number, .names = &symbol, .fewest = 1, .sentence = says::symbols};
-constexpr JsonShape number_names{
-    .kind = Kind::map, .items = &number_of_word, .names = &configuration::json_text};
+constexpr JsonShape symbol_shape{.accepts = is_symbol, .pattern = "^[A-Z0-9_]+$", .sentence = says::symbols};
+constexpr JsonShape number_of_word_shape = whole_number(0, 65535, says::number_names);
+constexpr std::array symbol_number_shapes = {&number_of_word_shape, &configuration::json_null};
+constexpr JsonShape symbol_number_shape = either(symbol_number_shapes, says::symbols);
+constexpr JsonShape symbols_shape{.kind = Kind::map,
+                                  .items = &symbol_number_shape,
+                                  .names = &symbol_shape,
+                                  .fewest = 1,
+                                  .sentence = says::symbols};
+constexpr JsonShape number_names_shape{
+    .kind = Kind::map, .items = &number_of_word_shape, .names = &configuration::json_text};
 
-constexpr JsonShape max_length = whole_number(1, 255);
+constexpr JsonShape max_length_shape = whole_number(1, 255);
 constexpr std::array<std::string_view, 3> axis_type_words = {"T", "R", "S"};
-constexpr JsonShape axis_type{.words = axis_type_words};
-constexpr JsonShape axis_types{.kind = Kind::list, .items = &axis_type, .fewest = 1, .distinct = true};
-constexpr JsonShape since{.accepts = is_build,
-                          .pattern = R"(^[Vv]?[0-9]+\.[0-9]+\.[0-9]+(\.[0-9]+)?$)",
-                          .sentence = says::settings_build};
+constexpr JsonShape axis_type_shape{.words = axis_type_words};
+constexpr JsonShape axis_types_shape{
+    .kind = Kind::list, .items = &axis_type_shape, .fewest = 1, .distinct = true};
+constexpr JsonShape since_shape{.accepts = is_build,
+                                .pattern = R"(^[Vv]?[0-9]+\.[0-9]+\.[0-9]+(\.[0-9]+)?$)",
+                                .sentence = says::settings_build};
 
 constexpr std::array row_keys = {
-    JsonKey{"id", &identifier, optional, "Documented number; several names may share one."},
-    JsonKey{"name", &name, required, "As lists write it, with [] for each index, two at most."},
-    JsonKey{"type", &type, optional, "Needed for a name that is not known yet."},
-    JsonKey{"array", &array, optional, "Number of entries per index, in the order of the [] in the name."},
-    JsonKey{"default", &default_text, optional,
+    JsonKey{"id", &identifier_shape, optional, "Documented number; several names may share one."},
+    JsonKey{"name", &name_shape, required, "As lists write it, with [] for each index, two at most."},
+    JsonKey{"type", &type_shape, optional, "Needed for a name that is not known yet."},
+    JsonKey{"array", &array_shape, optional,
+            "Number of entries per index, in the order of the [] in the name."},
+    JsonKey{"default", &default_text_shape, optional,
             "A number, a word, a text (may be empty), or P-AXIS-nnnnn for the value of that parameter."},
-    JsonKey{"unit", &unit, optional, "Unit of the raw number: one for all axes, or one per kind of axis."},
-    JsonKey{"minimum", &limit, optional, "A number, a limit of a data type, or another parameter."},
-    JsonKey{"exclusive_minimum", &limit, optional, "A minimum that is not allowed itself.", nullptr,
+    JsonKey{"unit", &unit_shape, optional,
+            "Unit of the raw number: one for all axes, or one per kind of axis."},
+    JsonKey{"minimum", &limit_shape, optional, "A number, a limit of a data type, or another parameter."},
+    JsonKey{"exclusive_minimum", &limit_shape, optional, "A minimum that is not allowed itself.", nullptr,
             "minimum"},
-    JsonKey{"maximum", &limit, optional, "A number, a limit of a data type, or another parameter."},
-    JsonKey{"exclusive_maximum", &limit, optional, "A maximum that is not allowed itself.", nullptr,
+    JsonKey{"maximum", &limit_shape, optional, "A number, a limit of a data type, or another parameter."},
+    JsonKey{"exclusive_maximum", &limit_shape, optional, "A maximum that is not allowed itself.", nullptr,
             "maximum"},
-    JsonKey{"symbols", &symbols, optional,
+    JsonKey{"symbols", &symbols_shape, optional,
             "Words of an enumeration with their numbers, null where none is documented. A boolean always "
             "knows FALSE and TRUE; its symbols are further words for 0 and 1."},
-    JsonKey{"number_names", &number_names, optional,
+    JsonKey{"number_names", &number_names_shape, optional,
             "What single numbers mean, in words for people; lists cannot write them."},
-    JsonKey{"max_length", &max_length, optional, "Of a string, in characters."},
-    JsonKey{"axis_types", &axis_types, optional,
+    JsonKey{"max_length", &max_length_shape, optional, "Of a string, in characters."},
+    JsonKey{"axis_types", &axis_types_shape, optional,
             "Kinds of axis (translatory, rotary, spindle) that know the parameter; left out: all."},
     JsonKey{"former_name", &configuration::json_text, optional,
             "What the control called it in earlier versions, without []."},
-    JsonKey{"since", &since, optional, "Build of the control that introduced the parameter."}};
+    JsonKey{"since", &since_shape, optional, "Build of the control that introduced the parameter."}};
 
 }  // namespace
 

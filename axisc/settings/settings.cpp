@@ -22,8 +22,8 @@
 
 namespace axisc::says {
 
-constexpr Sentence json{"the settings are not valid JSON here",
-                        "die Einstellungen sind hier kein gültiges JSON"};
+constexpr Sentence settings_json{"the settings are not valid JSON here",
+                                 "die Einstellungen sind hier kein gültiges JSON"};
 constexpr Sentence code{"there is no code \"{value}\"; `axisc explain --all` lists them",
                         "es gibt keinen Code \"{value}\"; `axisc explain --all` nennt alle"};
 constexpr Sentence schema_missing{
@@ -230,7 +230,7 @@ fs::path canonical_folder(std::string const& folder) {
 }  // namespace
 
 Settings read_settings(std::string const& path, std::string const& folder) {
-  LocatedFile const file(path, settings_shape, says::json);
+  LocatedFile const file(path, settings_shape, says::settings_json);
   Settings settings;
   settings.file = path;
   settings.folder = folder;

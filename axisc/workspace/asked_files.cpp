@@ -12,7 +12,7 @@ std::string name_of(std::string const& path) {
   return std::string(validator::file_name(path));
 }
 
-std::string folder_of(std::string const& path) {
+std::string folder_part(std::string const& path) {
   return path.substr(0, path.size() - validator::file_name(path).size());
 }
 
@@ -43,7 +43,7 @@ bool Readers::know(std::string const& path) const {
     auto const found = readers.find(wanted);
     return found != readers.end() && (found->second.size() > 1 || !found->second.contains(path));
   };
-  return other(names_, name_of(path)) || other(folders_, folder_of(path));
+  return other(names_, name_of(path)) || other(folders_, folder_part(path));
 }
 
 }  // namespace axisc

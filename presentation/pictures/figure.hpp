@@ -12,6 +12,9 @@ namespace axisc::pictures {
 
 enum class Scale : std::uint8_t { linear, logarithmic };
 
+/// Significant digits of numbers in words and tables.
+inline constexpr int shown_digits = 4;
+
 /// A quantity along an edge of a panel.
 struct Axis {
   std::string quantity = {};  ///< "frequency"

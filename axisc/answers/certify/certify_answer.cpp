@@ -18,7 +18,7 @@ constexpr Sentence unchecked_key{"Ed25519, key {key} (not checked)",
                                  "Ed25519, Schlüssel {key} (nicht geprüft)"};
 constexpr Sentence checked_by{"checked by", "geprüft von"};
 constexpr Sentence verified{"Verified: {records} records.", "Bestätigt: {records} Datensätze."};
-constexpr Sentence not_in_image{
+constexpr Sentence claims_nothing{
     "The image claims no bounds: these are computed, and nothing in the image vouches for them.",
     "Das Abbild behauptet keine Schranken: Diese sind gerechnet, und nichts im Abbild steht für sie ein."};
 constexpr Sentence not_true{
@@ -40,7 +40,7 @@ namespace {
 
 /// Only claims of the axes that are asked for are shown; those of all decide.
 Words conclusion(image::CheckedBounds const& checked) {
-  if (!checked.is_in_image) return says::not_in_image;
+  if (!checked.is_in_image) return says::claims_nothing;
   if (checked.failures() > 0) {
     return {says::not_true, {{"failures", exact(static_cast<double>(checked.failures()))}}};
   }

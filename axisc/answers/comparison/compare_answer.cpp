@@ -73,7 +73,7 @@ using comparison::Explained;
 using comparison::Verdict;
 using namespace presentation;
 
-constexpr int digits = 3;
+constexpr int residual_digits = 3;
 
 /// By Verdict and by Motion.
 constexpr std::array<std::string_view, 4> verdicts{"same", "delayed", "different", "cannot-tell"};
@@ -84,7 +84,7 @@ constexpr std::array<SentenceRef, 3> motion_sentences{says::velocity_jump_tells,
                                                       says::nothing_tells};
 
 Quantity number(double value) {
-  return rounded(value, Unit::none, digits);
+  return rounded(value, Unit::none, residual_digits);
 }
 
 Wording words_of(std::vector<comparison::Departure> const& departures) {
@@ -101,9 +101,9 @@ Names ids_of(std::vector<comparison::Departure> const& departures) {
   return ids;
 }
 
-class Answer {
+class FilterAnswer {
  public:
-  Answer(std::string const& axis, RecordedAxis const& recorded)
+  FilterAnswer(std::string const& axis, RecordedAxis const& recorded)
       : axis_(axis), recorded_(recorded), result_(recorded.result) {}
 
   presentation::Document document() {
@@ -135,8 +135,8 @@ class Answer {
   [[nodiscard]] double length(double value) const { return value * recorded_.thousandths; }
   /// For people.
   [[nodiscard]] Quantity shown(double value) const {
-    return recorded_.is_rotary ? rounded(length(value) / 1000, Unit::degree, digits)
-                               : rounded(length(value), Unit::micrometre, digits);
+    return recorded_.is_rotary ? rounded(length(value) / 1000, Unit::degree, residual_digits)
+                               : rounded(length(value), Unit::micrometre, residual_digits);
   }
   [[nodiscard]] Words shown(comparison::Residual const& of) const {
     return {says::residual, {{"largest", shown(of.largest)}, {"rms", shown(of.rms)}}};
@@ -233,7 +233,7 @@ class Answer {
 }  // namespace
 
 presentation::Document compare_answer(std::string const& axis, RecordedAxis const& recorded) {
-  return Answer(axis, recorded).document();
+  return FilterAnswer(axis, recorded).document();
 }
 
 Wording reading_words(comparison::Reading const& reading) {

@@ -73,7 +73,7 @@ using comparison::MotionKey;
 using comparison::MotionKeyVerdict;
 using namespace presentation;
 
-constexpr int digits = 3;
+constexpr int deviation_digits = 3;
 
 std::string word_of(std::size_t key, std::uint8_t number) {
   return std::string(comparison::motion_key_words().at(key).words[number]);
@@ -102,9 +102,9 @@ Value length(double units) {
   return units / motion::units_per_um;
 }
 
-class Answer {
+class MotionAnswer {
  public:
-  explicit Answer(RecordedMotion const& recorded)
+  explicit MotionAnswer(RecordedMotion const& recorded)
       : recorded_(recorded),
         result_(recorded.result),
         in_force_(comparison::combination_of(recorded.in_force)) {}
@@ -132,8 +132,8 @@ class Answer {
   /// For people.
   [[nodiscard]] Value shown(double units) const {
     if (!std::isfinite(units)) return {};
-    return recorded_.is_rotary ? rounded(units / motion::units_per_mm, Unit::degree, digits)
-                               : rounded(units / motion::units_per_um, Unit::micrometre, digits);
+    return recorded_.is_rotary ? rounded(units / motion::units_per_mm, Unit::degree, deviation_digits)
+                               : rounded(units / motion::units_per_um, Unit::micrometre, deviation_digits);
   }
   [[nodiscard]] static Section deviation(std::string key, comparison::ExplainedMotion const& explained) {
     std::vector<Field> fields{data("largest", length(explained.deviation.largest)),
@@ -233,7 +233,7 @@ class Answer {
 }  // namespace
 
 presentation::Document motion_answer(RecordedMotion const& recorded) {
-  return Answer(recorded).document();
+  return MotionAnswer(recorded).document();
 }
 
 std::optional<std::string> motion_settings(MotionComparison const& result) {

@@ -49,9 +49,10 @@ bool same_text(std::string const& a, std::string const& b) {
   return number_a.number == number_b.number;
 }
 
-class Side {
+class ParametersOfSide {
  public:
-  Side(ComparedMachine const& machine, ComparedAxis const& axis) : machine_(machine), axis_(axis) {}
+  ParametersOfSide(ComparedMachine const& machine, ComparedAxis const& axis)
+      : machine_(machine), axis_(axis) {}
 
   [[nodiscard]] std::vector<EffectiveValue const*> set_values() const { return axis_.values->set_values(); }
 
@@ -110,8 +111,8 @@ bool is_own(schema::Parameter const& row) {
 std::vector<ParameterChange> compare_parameters(ComparedMachine const& before, ComparedAxis const& old_axis,
                                                 ComparedMachine const& after, ComparedAxis const& new_axis) {
   if (old_axis.values == nullptr || new_axis.values == nullptr) return {};
-  Side const old_side(before, old_axis);
-  Side const new_side(after, new_axis);
+  ParametersOfSide const old_side(before, old_axis);
+  ParametersOfSide const new_side(after, new_axis);
   std::map<std::string, std::pair<EffectiveValue const*, EffectiveValue const*>> values;
   for (auto const* const value : old_side.set_values()) values[parameter_name(*value)].first = value;
   for (auto const* const value : new_side.set_values()) values[parameter_name(*value)].second = value;

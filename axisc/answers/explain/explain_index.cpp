@@ -28,7 +28,6 @@ constexpr Sentence of_every{"Every parameter of a kind: {codes}. Others:",
 constexpr Sentence code{"code", "Code"};
 constexpr Sentence title{"title", "Titel"};
 constexpr Sentence severity{"severity", "Schweregrad"};
-constexpr Sentence since{"since", "seit"};
 constexpr Sentence message{"message", "Meldung"};
 
 constexpr Sentence unread{"The control ignores a line of a list, or reads it otherwise than meant",

@@ -4,7 +4,7 @@
 
 namespace axisc::says {
 
-constexpr Sentence message{"Message {number} of the control", "Meldung {number} der Steuerung"};
+constexpr Sentence numbered_message{"Message {number} of the control", "Meldung {number} der Steuerung"};
 constexpr Sentence reporter{"reported by", "gemeldet von"};
 constexpr Sentence reaction{"what the control does", "was die Steuerung tut"};
 constexpr Sentence remedy{"remedy", "Abhilfe"};
@@ -31,7 +31,7 @@ Value text_or(Page const& page, Nothing nothing = {}) {
 Section message_section(std::uint32_t number, schema::ControlMessage const* message,
                         std::span<validator::Rule const* const> foretelling) {
   Section section{
-      .key = {}, .title = Words(says::message, {{"number", std::to_string(number)}}), .blocks = {}};
+      .key = {}, .title = Words(says::numbered_message, {{"number", std::to_string(number)}}), .blocks = {}};
   section.identity = {data("number", std::to_string(number)),
                       data("meaning", message != nullptr ? text_or(message->meaning) : Value())};
   auto const reporter = schema::reporter_of(number);

@@ -27,9 +27,9 @@ constexpr Sentence array{"entries", "Einträge"};
 constexpr Sentence entries{"`{first}` to `{last}`", "`{first}` bis `{last}`"};
 constexpr Sentence longest{"longest text, in characters", "längster Text, in Zeichen"};
 constexpr Sentence axis_types{"axis types", "Achstypen"};
-constexpr Sentence since{"since build", "ab Version"};
+constexpr Sentence since_build{"since build", "ab Version"};
 constexpr Sentence manual{"manual", "Handbuch"};
-constexpr Sentence rules{"rules that check it", "Regeln, die ihn prüfen"};
+constexpr Sentence rules_about_it{"rules that check it", "Regeln, die ihn prüfen"};
 constexpr Sentence example{"In a list, with its default:", "In einer Liste, mit dem Standardwert:"};
 
 }  // namespace axisc::says
@@ -147,10 +147,10 @@ Facts facts_of(schema::Catalogue const& catalogue, schema::Parameter const& para
            {"max_length", says::longest, max_length},
            data("axis_types", types.empty() ? "TRS" : types),
            shown(says::axis_types, std::move(letters)),
-           {"since", says::since, text_or_nothing(parameter.since)},
+           {"since", says::since_build, text_or_nothing(parameter.since)},
            {"file", labels::from, text_or_nothing(catalogue.file_of(parameter))},
            {"manual", says::manual, text_or_nothing(Wording(schema::manual_section(parameter)))},
-           {"rules", says::rules, rules_about(parameter)}}};
+           {"rules", says::rules_about_it, rules_about(parameter)}}};
 }
 
 }  // namespace

@@ -12,6 +12,13 @@
 #include <string>
 #include <vector>
 
+namespace axisc::says {
+
+/// A version of axisc.
+inline constexpr Sentence since{"since", "seit"};
+
+}  // namespace axisc::says
+
 namespace axisc {
 
 /// Of all kinds of lists, those of axes first.

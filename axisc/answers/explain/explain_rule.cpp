@@ -22,7 +22,6 @@ constexpr Sentence source{"source", "Quelle"};
 constexpr Sentence source_list{"{first}; {next}", "{first}; {next}"};
 constexpr Sentence reading{"our reading", "unsere Lesart"};
 constexpr Sentence own{"our own rule", "unsere eigene Regel"};
-constexpr Sentence since{"since", "seit"};
 constexpr Sentence unreleased{"not yet released", "noch nicht veröffentlicht"};
 
 }  // namespace axisc::says

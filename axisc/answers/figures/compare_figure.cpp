@@ -30,7 +30,7 @@ namespace axisc {
 
 namespace {
 
-constexpr int shown_digits = 3;
+constexpr int residual_digits = 3;
 constexpr std::size_t shown_cycles = 2000;
 constexpr int spectrum_points = 400;
 
@@ -80,7 +80,7 @@ class CompareFigure {
     computed_.push_back({say(name), residual, overlay(reading, residual)});
   }
   [[nodiscard]] std::string length(double value) const {
-    return format_rounded(value * recorded_.thousandths, shown_digits).in(language_);
+    return format_rounded(value * recorded_.thousandths, residual_digits).in(language_);
   }
 
   void add_table(pictures::Figure& figure) const {
@@ -89,7 +89,7 @@ class CompareFigure {
                            say(says::compare_rms, unit), say(says::compare_delay)};
     for (auto const& [name, residual, shown] : computed_) {
       figure.table.rows.push_back({name, length(residual.largest), length(residual.rms),
-                                   format_rounded(residual.delay_cycles, shown_digits).in(language_)});
+                                   format_rounded(residual.delay_cycles, residual_digits).in(language_)});
       figure.description += (figure.description.empty() ? "" : "; ") + name + ": " +
                             length(residual.largest) + " " + recorded_.unit();
     }

@@ -19,8 +19,6 @@ namespace axisc {
 
 namespace {
 
-constexpr int shown_digits = 4;
-
 /// The first axis with the one that deviates most; a single axis as if a second one were like it.
 std::pair<std::size_t, std::size_t> worst_plane(
     std::vector<motion::ChainAnswer> const& answers, double velocity,
@@ -48,9 +46,9 @@ std::vector<ContourCurve> contour_curves(
     double const velocity = path_velocity(feed, subject.cycle_time);
     for (auto const& order : wanted.orders) {
       std::string const name =
-          order ? subject.say(says::case_order, {{"feed", format_rounded(feed, shown_digits)},
+          order ? subject.say(says::case_order, {{"feed", format_rounded(feed, pictures::shown_digits)},
                                                  {"order", std::to_string(*order)}})
-                : subject.say(says::case_feed, {{"feed", format_rounded(feed, shown_digits)}});
+                : subject.say(says::case_feed, {{"feed", format_rounded(feed, pictures::shown_digits)}});
       auto const add = [&](GroupChains& chains, pictures::Role role, std::string shown) {
         auto const answers = chains.answers(order);
         auto const plane = worst_plane(answers, velocity, deviation);
@@ -77,7 +75,7 @@ std::string plane_name(ContourSubject const& subject, ContourCurve const& curve)
 }
 
 Wording micrometres(double units) {
-  return format_rounded(units / motion::units_per_um, shown_digits);
+  return format_rounded(units / motion::units_per_um, pictures::shown_digits);
 }
 
 pictures::Table deviation_table(ContourSubject const& subject, std::vector<ContourCurve> const& curves,

@@ -38,8 +38,6 @@ namespace axisc {
 
 namespace {
 
-constexpr int shown_digits = 4;
-
 /// A motion that is drawn.
 struct DrawnMove {
   std::string name;
@@ -82,7 +80,7 @@ class DynamicsFigure {
 
  private:
   [[nodiscard]] std::string rounded(double value) const {
-    return format_rounded(value, shown_digits).in(subject_.language);
+    return format_rounded(value, pictures::shown_digits).in(subject_.language);
   }
 
   void add_axis(std::size_t axis) {

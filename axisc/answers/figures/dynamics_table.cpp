@@ -33,8 +33,6 @@ namespace axisc {
 
 namespace {
 
-constexpr int shown_digits = 4;
-
 /// Of each column; none where the slope has no such quantity.
 using Cells = std::vector<std::optional<double>>;
 
@@ -136,7 +134,7 @@ class AxisTable {
     if (!has_any) return;
     std::vector<std::string> row{axis_.axis, std::move(quantity)};
     for (auto const& value : values) {
-      row.push_back(value ? format_rounded(*value, shown_digits).in(terms_.language) : "-");
+      row.push_back(value ? format_rounded(*value, pictures::shown_digits).in(terms_.language) : "-");
     }
     table_.rows.push_back(std::move(row));
   }

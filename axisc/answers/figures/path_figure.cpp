@@ -28,7 +28,6 @@ namespace axisc {
 
 namespace {
 
-constexpr int shown_digits = 4;
 constexpr std::size_t classes = 4;
 constexpr std::size_t most_marks = 5;
 constexpr double plane_height = 420;
@@ -64,7 +63,7 @@ class PathFigure {
   }
 
   [[nodiscard]] std::string rounded(double value) const {
-    return format_rounded(value, shown_digits).in(language_);
+    return format_rounded(value, pictures::shown_digits).in(language_);
   }
 
   [[nodiscard]] double time(Sample const& sample) const { return (sample.cycle + 1) * plot_.cycle_seconds; }

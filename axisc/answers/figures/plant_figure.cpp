@@ -30,7 +30,6 @@ namespace axisc {
 
 namespace {
 
-constexpr int shown_digits = 4;
 constexpr double spectrum_step = 0.25;
 
 class PlantFigure {
@@ -40,9 +39,10 @@ class PlantFigure {
   pictures::Figure make() {
     auto const& figures = run_.figures;
     pictures::Figure figure;
-    figure.title = say(says::plant_title, {{"axis", figures.axis},
-                                           {"distance", format_rounded(figures.distance_mm, shown_digits)},
-                                           {"feed", format_rounded(figures.feed_mm_per_min, shown_digits)}});
+    figure.title =
+        say(says::plant_title, {{"axis", figures.axis},
+                                {"distance", format_rounded(figures.distance_mm, pictures::shown_digits)},
+                                {"feed", format_rounded(figures.feed_mm_per_min, pictures::shown_digits)}});
     add_table(figure);
     auto const cycles = std::max(run_.without.cycles.size(), run_.with.cycles.size());
     figure.x = {.quantity = say(labels::time),
@@ -72,9 +72,9 @@ class PlantFigure {
       bool const travels = found.phase == motion::MovePhase::travel;
       figure.table.rows.push_back(
           {say(travels ? SentenceRef(says::plant_travelling) : SentenceRef(says::plant_resting)),
-           format_rounded(found.without.frequency, shown_digits).in(language_),
-           format_rounded(found.without.amplitude, shown_digits).in(language_),
-           found.with ? format_rounded(*found.with, shown_digits).in(language_) : "-"});
+           format_rounded(found.without.frequency, pictures::shown_digits).in(language_),
+           format_rounded(found.without.amplitude, pictures::shown_digits).in(language_),
+           found.with ? format_rounded(*found.with, pictures::shown_digits).in(language_) : "-"});
       auto const& row = figure.table.rows.back();
       figure.description += (figure.description.empty() ? "" : "; ") + row[0] + ": " + row[1] + " Hz, " +
                             row[2] + " → " + row[3] + " m/s²";

@@ -51,7 +51,6 @@ namespace axisc {
 
 namespace {
 
-constexpr int shown_digits = 4;
 constexpr double percent = 100;
 constexpr double lowest_ratio = 0.5;  ///< of the oscillation to the guard, drawn
 constexpr double highest_ratio = 1.5;
@@ -136,7 +135,7 @@ class RobustnessFigure {
   }
 
   [[nodiscard]] std::string said(DrawnGuard const& one) const {
-    auto const number = [](double value) { return format_rounded(value, shown_digits); };
+    auto const number = [](double value) { return format_rounded(value, pictures::shown_digits); };
     auto const& interval = one.guard->interval;
     if (!interval) {
       return subject_.say(says::robustness_nowhere,
@@ -166,7 +165,7 @@ class RobustnessFigure {
 
   void add_marks(pictures::Figure& figure) const {
     auto const add = [&](double frequency) {
-      auto const label = format_rounded(frequency, shown_digits).in(subject_.language) + " Hz";
+      auto const label = format_rounded(frequency, pictures::shown_digits).in(subject_.language) + " Hz";
       auto const is_known = std::any_of(figure.marks.begin(), figure.marks.end(),
                                         [&](pictures::Mark const& mark) { return mark.label == label; });
       if (!is_known) figure.marks.push_back({.at = frequency, .label = label});
@@ -256,7 +255,7 @@ class RobustnessFigure {
       table.header.push_back(subject_.say(labels::value));
     }
     auto const cell = [&](std::optional<double> const& value) {
-      return value ? format_rounded(*value, shown_digits).in(subject_.language) : "-";
+      return value ? format_rounded(*value, pictures::shown_digits).in(subject_.language) : "-";
     };
     for (auto const& state : states_) {
       auto const now = state.now ? values_of(*state.now) : Values();

@@ -27,7 +27,6 @@ namespace axisc {
 
 namespace {
 
-constexpr int shown_digits = 4;
 /// A chain that takes longer is shown as long as this.
 constexpr std::uint64_t longest_shown = 20'000;
 constexpr std::uint64_t shortest_shown = 10;
@@ -144,14 +143,16 @@ class StepFigure {
     std::string text;
     for (auto const& chain : chains_) {
       auto const cycles = chain.figures.settling_cycles.value_or(image::longest_settling);
-      Wording const time = format_rounded(static_cast<double>(cycles) * chain.milliseconds(), shown_digits);
+      Wording const time =
+          format_rounded(static_cast<double>(cycles) * chain.milliseconds(), pictures::shown_digits);
       auto const settling =
           chain.figures.settling_cycles ? SentenceRef(says::step_settled) : SentenceRef(says::step_unsettled);
-      text += (text.empty() ? "" : "; ") +
-              subject_.say(says::step_described,
-                           {{"axis", chain.name},
-                            {"overshoot", format_rounded(chain.figures.overshoot * 100, shown_digits)},
-                            {"settling", subject_.say(settling, {{"time", time}})}});
+      text +=
+          (text.empty() ? "" : "; ") +
+          subject_.say(says::step_described,
+                       {{"axis", chain.name},
+                        {"overshoot", format_rounded(chain.figures.overshoot * 100, pictures::shown_digits)},
+                        {"settling", subject_.say(settling, {{"time", time}})}});
     }
     return text;
   }

@@ -7,28 +7,29 @@ namespace axisc {
 
 namespace {
 
-struct Known {
+struct KnownUnit {
   std::string_view name;
   ForceKind kind;
   double factor;
 };
 constexpr double kilo = 1e3, centi = 1e-2, milli = 1e-3;
-constexpr std::array known{Known{"N", ForceKind::newton, 1},
-                           Known{"kN", ForceKind::newton, kilo},
-                           Known{"mN", ForceKind::newton, milli},
-                           Known{"Nm", ForceKind::newton_metre, 1},
-                           Known{"N m", ForceKind::newton_metre, 1},
-                           Known{"N·m", ForceKind::newton_metre, 1},
-                           Known{"kNm", ForceKind::newton_metre, kilo},
-                           Known{"Ncm", ForceKind::newton_metre, centi},
-                           Known{"mNm", ForceKind::newton_metre, milli}};
+constexpr std::array known_units{KnownUnit{"N", ForceKind::newton, 1},
+                                 KnownUnit{"kN", ForceKind::newton, kilo},
+                                 KnownUnit{"mN", ForceKind::newton, milli},
+                                 KnownUnit{"Nm", ForceKind::newton_metre, 1},
+                                 KnownUnit{"N m", ForceKind::newton_metre, 1},
+                                 KnownUnit{"N·m", ForceKind::newton_metre, 1},
+                                 KnownUnit{"kNm", ForceKind::newton_metre, kilo},
+                                 KnownUnit{"Ncm", ForceKind::newton_metre, centi},
+                                 KnownUnit{"mNm", ForceKind::newton_metre, milli}};
 
 }  // namespace
 
 ForceUnit force_unit_of(std::string_view named) {
-  auto const* const found =
-      std::find_if(known.begin(), known.end(), [named](Known const& one) { return one.name == named; });
-  if (found == known.end()) return {.kind = ForceKind::other, .factor = 1, .symbol = std::string(named)};
+  auto const* const found = std::find_if(known_units.begin(), known_units.end(),
+                                         [named](KnownUnit const& one) { return one.name == named; });
+  if (found == known_units.end())
+    return {.kind = ForceKind::other, .factor = 1, .symbol = std::string(named)};
   return {
       .kind = found->kind, .factor = found->factor, .symbol = found->kind == ForceKind::newton ? "N" : "Nm"};
 }

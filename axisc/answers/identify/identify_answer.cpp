@@ -55,13 +55,13 @@ namespace {
 using namespace presentation;
 using tuning::Estimate;
 
-constexpr double percent = 100;
+constexpr double percent_per_one = 100;
 
 Value why_not(Estimate const& estimate, double largest) {
   if (!(estimate.value > 0)) return Words(says::nothing_seen);
   return Words(says::too_uncertain,
-               {{"share", rounded(percent * estimate.uncertainty / estimate.value, Unit::none, 2)},
-                {"most", rounded(percent * largest, Unit::none, 2)}});
+               {{"share", rounded(percent_per_one * estimate.uncertainty / estimate.value, Unit::none, 2)},
+                {"most", rounded(percent_per_one * largest, Unit::none, 2)}});
 }
 
 /// So that an uncertainty has two digits.
@@ -116,7 +116,7 @@ Document identify_answer(IdentifiedAxis const& found) {
   double const length_ms = static_cast<double>(model.length) * found.sample_time_ms;
   double const dead_time_ms = model.dead_time * found.sample_time_ms;
   auto const milliseconds = [](double value) { return rounded(value, Unit::millisecond, 4); };
-  auto const share = [](double value) { return rounded(percent * value, Unit::percent, 3); };
+  auto const share = [](double value) { return rounded(percent_per_one * value, Unit::percent, 3); };
   std::vector<std::string> signals;
   std::vector<MappedColumn> columns;
   for (auto const& used : found.mapping) {
@@ -127,8 +127,8 @@ Document identify_answer(IdentifiedAxis const& found) {
                             mapping_table(signals, columns)};
   blocks.emplace_back(
       Facts{{data("windows", model.windows), data("window_ms", length_ms),
-             data("accelerating_percent", percent * model.accelerating),
-             data("explained_percent", percent * model.explained), data("dead_time_ms", dead_time_ms),
+             data("accelerating_percent", percent_per_one * model.accelerating),
+             data("explained_percent", percent_per_one * model.explained), data("dead_time_ms", dead_time_ms),
              data("position_unit_guessed", found.is_unit_guessed)}});
   blocks.emplace_back(Paragraph{Words(says::windows, {{"windows", model.windows},
                                                       {"length", milliseconds(length_ms)},

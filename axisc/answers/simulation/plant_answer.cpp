@@ -4,8 +4,8 @@
 
 namespace axisc::says {
 
-constexpr Sentence title{"axis {axis}: {distance} there and back at {feed}, Kv {kv} 1/s",
-                         "Achse {axis}: {distance} hin und zurück mit {feed}, Kv {kv} 1/s"};
+constexpr Sentence plant_title{"axis {axis}: {distance} there and back at {feed}, Kv {kv} 1/s",
+                               "Achse {axis}: {distance} hin und zurück mit {feed}, Kv {kv} 1/s"};
 constexpr Sentence frequency{"load at", "Last bei"};
 constexpr Sentence phase{"while", "während"};
 constexpr Sentence travel{"travelling", "Verfahren"};
@@ -88,8 +88,8 @@ presentation::Document plant_answer(ClosedLoopFigures const& figures) {
   auto const additive = fixed(figures.largest_additive, Unit::micrometre_per_second, 0);
   auto const limit = fixed(figures.limit, Unit::micrometre_per_second, 0);
   presentation::Document answer{
-      .title =
-          Words(says::title, {{"axis", figures.axis}, {"distance", distance}, {"feed", feed}, {"kv", gain}}),
+      .title = Words(says::plant_title,
+                     {{"axis", figures.axis}, {"distance", distance}, {"feed", feed}, {"kv", gain}}),
       .blocks = {
           Facts{{data("axis", figures.axis), data("slope", slope_name(figures.channel.slope)),
                  data("channel_list", figures.channel.is_from_list), data("distance_mm", distance),

@@ -27,8 +27,8 @@ constexpr Sentence leaves{
     "Vibration Guard leaves {residual} at its own frequency and damping (a reading)",
     "der Vibration Guard lässt bei seiner eigenen Frequenz und Dämpfung {residual} übrig "
     "(eine Lesart)"};
-constexpr Sentence uncertain{"{frequency} ± {uncertainty} (twice its uncertainty)",
-                             "{frequency} ± {uncertainty} (das Doppelte ihrer Unsicherheit)"};
+constexpr Sentence widened{"{frequency} ± {uncertainty} (twice its uncertainty)",
+                           "{frequency} ± {uncertainty} (das Doppelte ihrer Unsicherheit)"};
 
 }  // namespace axisc::says
 
@@ -81,8 +81,8 @@ Words coverage_words(GuardCoverage const& found) {
   if (found.uncertainty > 0) {
     constexpr int uncertain_digits = 2;
     resonance =
-        Words(says::uncertain, {{"frequency", resonance},
-                                {"uncertainty", rounded(found.uncertainty, Unit::hertz, uncertain_digits)}});
+        Words(says::widened, {{"frequency", resonance},
+                              {"uncertainty", rounded(found.uncertainty, Unit::hertz, uncertain_digits)}});
   }
   return {sentences.at(static_cast<std::size_t>(found.coverage)),
           {{"from", hertz(found.interval->from.value)},

@@ -5,8 +5,9 @@
 namespace axisc::says {
 
 constexpr Sentence lines_of{"{axes}:", "{axes}:"};
-constexpr Sentence no_lines{"{axes}: nothing to write; their setpoints and lists stay as they are",
-                            "{axes}: nichts zu schreiben; ihre Sollwerte und Listen bleiben, wie sie sind"};
+constexpr Sentence nothing_to_write{
+    "{axes}: nothing to write; their setpoints and lists stay as they are",
+    "{axes}: nichts zu schreiben; ihre Sollwerte und Listen bleiben, wie sie sind"};
 constexpr Sentence findings{"lists with this setting have findings: {codes}",
                             "Listen mit dieser Einstellung haben Befunde: {codes}"};
 
@@ -37,8 +38,8 @@ void add_lines(std::vector<Block>& blocks, std::vector<AxisLines> const& axes,
   }
   blocks.emplace_back(std::move(all));
   for (auto& [lines, names] : together) {
-    blocks.emplace_back(
-        Paragraph{Words(lines.empty() ? SentenceRef(says::no_lines) : says::lines_of, {{"axes", names}})});
+    blocks.emplace_back(Paragraph{
+        Words(lines.empty() ? SentenceRef(says::nothing_to_write) : says::lines_of, {{"axes", names}})});
     std::size_t width = 0;
     for (auto const& line : lines) width = std::max(width, line.name.size());
     Verbatim text{.key = {}, .text = {}, .audience = Audience::people};

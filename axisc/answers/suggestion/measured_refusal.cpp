@@ -92,7 +92,7 @@ constexpr Sentence one_speed{
     "je Umdrehung kommt; mit 60 % Override wiederholen und beide Aufzeichnungen angeben"};
 constexpr Sentence no_lines{"no line in the spectrum keeps its frequency at every speed",
                             "keine Linie im Spektrum behält ihre Frequenz bei jeder Geschwindigkeit"};
-constexpr Sentence ambiguous{
+constexpr Sentence ambiguous_line{
     "the line{place} is a multiple of what comes once a turn at each of these speeds; repeat at another "
     "override",
     "die Linie{place} ist bei jeder dieser Geschwindigkeiten ein Vielfaches dessen, was einmal je Umdrehung "
@@ -204,7 +204,7 @@ Failure measured_refusal(std::vector<std::string> const& paths, ModeSearch const
   }
   for (auto const& line : search.others) {
     if (line.kind == LineKind::ambiguous) {
-      why.push_back({says::ambiguous, {{"place", place_of(line.frequency)}}});
+      why.push_back({says::ambiguous_line, {{"place", place_of(line.frequency)}}});
     } else if (line.kind == LineKind::mains || line.kind == LineKind::at_rest) {
       why.push_back({says::shaken, {{"place", place_of(line.frequency)}}});
     }

@@ -5,7 +5,7 @@
 namespace axisc::says {
 
 constexpr Sentence setting{"setting", "Einstellung"};
-constexpr Sentence vibration{"remaining vibration, worst case", "verbleibende Schwingung, ungünstigst"};
+constexpr Sentence worst_vibration{"remaining vibration, worst case", "verbleibende Schwingung, ungünstigst"};
 constexpr Sentence amplitude{"after a ramp, at {frequency}", "nach einer Rampe, bei {frequency}"};
 constexpr Sentence corner{"corner, 90°: axis error", "Ecke, 90°: Achsfehler"};
 constexpr Sentence corner_deviation{"corner, 90°: deviation", "Ecke, 90°: Abweichung"};
@@ -38,7 +38,7 @@ Value feed(std::optional<double> const& value) {
 std::vector<Field> figures_of(Suggestion const& suggestion, Setting const& setting) {
   auto const& [chain, figures, corner, circle, corner_feed, circle_feed, guard] = setting;
   std::vector<Field> fields{data("chain", name_of(chain).in(Language::english)),
-                            {"remaining_vibration", says::vibration, share(figures.vibration)}};
+                            {"remaining_vibration", says::worst_vibration, share(figures.vibration)}};
   for (std::size_t i = 0; i < suggestion.task.resonances.size(); ++i) {
     auto const frequency = rounded(suggestion.task.resonances[i].frequency, Unit::hertz, 4);
     fields.push_back({.key = {},

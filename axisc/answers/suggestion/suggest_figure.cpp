@@ -14,7 +14,7 @@ namespace axisc::says {
 
 constexpr Sentence nothing_to_draw{"there is nothing to draw: no filters are suggested",
                                    "es gibt nichts zu zeichnen: es werden keine Filter vorgeschlagen"};
-constexpr Sentence title{"Suggestions for axis {axis}", "Vorschläge für Achse {axis}"};
+constexpr Sentence figure_title{"Suggestions for axis {axis}", "Vorschläge für Achse {axis}"};
 constexpr Sentence described{
     "{setting}: {chain}, {vibration} % of the vibration remain, {delay} ms delay",
     "{setting}: {chain}, {vibration} % der Schwingung bleiben, {delay} ms Verzögerung"};
@@ -116,7 +116,7 @@ pictures::Figure suggest_figure(Suggested const& suggested, Language language) {
   double const T = suggestion.cycle_time.seconds();
   double highest = 0;
   pictures::Figure figure;
-  figure.title = say(language, says::title, {{"axis", suggestion.axis}});
+  figure.title = say(language, says::figure_title, {{"axis", suggestion.axis}});
   for (auto const& resonance : suggestion.task.resonances) {
     constexpr int digits = 4;
     figure.marks.push_back({.at = resonance.frequency,
