@@ -57,7 +57,7 @@ std::string_view word_of(Offer offer) {
   return "nothing";
 }
 
-std::string offered(OptionDescription const& option) {
+std::string offered_by_bash(OptionDescription const& option) {
   return option.values.empty() ? std::string(word_of(offer_for(option))) : joined(option.values, " ");
 }
 
@@ -67,7 +67,7 @@ void append_values(std::map<std::string, std::string>& cases, CommandDescription
     if (option.names.empty() || option.shown.empty()) continue;
     bool const is_optional = option.shown.starts_with('[');
     for (auto const& name : split_list(option.names)) {
-      auto& patterns = cases[offered(option)];
+      auto& patterns = cases[offered_by_bash(option)];
       auto const before = command.name + " " + name;
       if (!is_optional) patterns += (patterns.empty() ? "'" : " | '") + before + "'";
       patterns += (patterns.empty() ? "'" : " | '") + before + "='";
@@ -80,7 +80,7 @@ std::string own_case(CommandDescription const& command, std::string arguments) {
   std::string options;
   for (auto const& option : command.options) {
     for (auto const& name : split_list(option.names)) options += " " + name;
-    if (option.names.empty()) arguments = offered(option);
+    if (option.names.empty()) arguments = offered_by_bash(option);
   }
   return "    '" + command.name + " '*) options='" + options + "' offered='" + arguments + "' ;;\n";
 }

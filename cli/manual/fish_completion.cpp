@@ -8,7 +8,7 @@ namespace axisc::cli {
 
 namespace {
 
-std::string in_quotes(std::string_view text) {
+std::string quoted_for_fish(std::string_view text) {
   std::string result;
   for (char const letter : text) {
     if (letter == '\'' || letter == '\\') result += '\\';
@@ -17,9 +17,9 @@ std::string in_quotes(std::string_view text) {
   return "'" + result + "'";
 }
 
-std::string offered(OptionDescription const& option) {
+std::string offered_by_fish(OptionDescription const& option) {
   switch (offer_for(option)) {
-    case Offer::values: return " -a " + in_quotes(fmt::format("{}", fmt::join(option.values, " ")));
+    case Offer::values: return " -a " + quoted_for_fish(fmt::format("{}", fmt::join(option.values, " ")));
     case Offer::files: return " -F";
     case Offer::folders: return " -a '(__fish_complete_directories)'";
     case Offer::nothing: break;
@@ -34,8 +34,8 @@ std::string row(CommandDescription const& command, OptionDescription const& opti
   }
   bool const needs_value = !option.shown.empty() && !option.shown.starts_with('[') && !option.names.empty();
   if (needs_value) text += offer_for(option) == Offer::files ? " -r" : " -x";
-  if (needs_value || option.names.empty()) text += offered(option);
-  if (!option.names.empty()) text += " -d " + in_quotes(meaning_of(option, Language::english));
+  if (needs_value || option.names.empty()) text += offered_by_fish(option);
+  if (!option.names.empty()) text += " -d " + quoted_for_fish(meaning_of(option, Language::english));
   return text + "\n";
 }
 
@@ -68,11 +68,11 @@ complete -c axisc -f
   std::string names;
   for (auto const& command : commands) {
     text += fmt::format("complete -c axisc -n __axisc_command -a {} -d {}\n", command.name,
-                        in_quotes(command.meaning.in(Language::english)));
+                        quoted_for_fish(command.meaning.in(Language::english)));
     names += (names.empty() ? "" : " ") + command.name;
   }
   text += "complete -c axisc -n __axisc_command -a 'help version'\n";
-  text += "complete -c axisc -n '__axisc_command help' -a " + in_quotes(names) + "\n";
+  text += "complete -c axisc -n '__axisc_command help' -a " + quoted_for_fish(names) + "\n";
   for (auto const& command : commands) {
     for (auto const& option : command.options) text += row(command, option);
   }

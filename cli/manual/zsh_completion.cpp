@@ -9,7 +9,7 @@ namespace axisc::cli {
 namespace {
 
 /// A sentence in brackets within quotation marks.
-std::string in_quotes(std::string_view text) {
+std::string quoted_for_zsh(std::string_view text) {
   std::string result;
   for (char const letter : text) {
     if (letter == '\'') {
@@ -39,7 +39,7 @@ std::string action(OptionDescription const& option) {
 /// One specification of _arguments for each name.
 std::string specifications(OptionDescription const& option) {
   if (option.names.empty()) {
-    return fmt::format(" \\\n        '*:{}:{}'", in_quotes(option.shown), action(option));
+    return fmt::format(" \\\n        '*:{}:{}'", quoted_for_zsh(option.shown), action(option));
   }
   auto const names = split_list(option.names);
   bool const is_optional = option.shown.starts_with('[');
@@ -47,7 +47,7 @@ std::string specifications(OptionDescription const& option) {
   if (is_optional) {
     value = "::value:" + action(option);
   } else if (!option.shown.empty()) {
-    value = ":" + in_quotes(option.shown) + ":" + action(option);
+    value = ":" + quoted_for_zsh(option.shown) + ":" + action(option);
   }
   std::string text;
   for (auto const& name : names) {
@@ -60,7 +60,7 @@ std::string specifications(OptionDescription const& option) {
     bool const is_letter = name.size() == 2;
     std::string_view const ending = is_optional ? "=-" : is_letter ? "+" : "=";
     text += fmt::format(" \\\n        '{}{}{}[{}]{}'", exclusion, name, value.empty() ? "" : ending,
-                        in_quotes(meaning_of(option, Language::english)), value);
+                        quoted_for_zsh(meaning_of(option, Language::english)), value);
   }
   return text;
 }
@@ -77,7 +77,7 @@ std::string zsh_completion(CommandDescription const& program, std::span<CommandD
   std::string rows;
   std::string cases;
   for (auto const& command : commands) {
-    rows += fmt::format("    '{}:{}'\n", command.name, in_quotes(command.meaning.in(Language::english)));
+    rows += fmt::format("    '{}:{}'\n", command.name, quoted_for_zsh(command.meaning.in(Language::english)));
     cases += fmt::format("    ({})\n      _arguments -s{} ;;\n", command.name, specifications(command));
   }
   return fmt::format(R"(#compdef axisc

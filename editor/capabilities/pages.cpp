@@ -20,7 +20,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace axisc::says {
+namespace axisc::editor::says {
 
 constexpr Sentence title_report{"Report: {machine}", "Bericht: {machine}"};
 constexpr Sentence title_machine{"Machine: {machine}", "Maschine: {machine}"};
@@ -31,7 +31,7 @@ constexpr Sentence unknown_picture_kind{
     "kein Bild \"{kind}\": response, step, delay, corner, circle oder dynamics"};
 constexpr Sentence unknown_rule{"no rule \"{code}\"", "keine Regel \"{code}\""};
 
-}  // namespace axisc::says
+}  // namespace axisc::editor::says
 
 namespace axisc::editor {
 

@@ -38,7 +38,7 @@ namespace {
 using validator::DelayBudget;
 using validator::DelayItem;
 
-constexpr int shown_digits = 4;
+constexpr int delay_digits = 4;
 
 /// The parameters that make delays, or decide whether there are any.
 bool makes_delays(std::string_view name) {
@@ -59,7 +59,7 @@ bool makes_delays(std::string_view name) {
 }
 
 std::string short_number(double value, Language language) {
-  return format_rounded(value, shown_digits).in(language);
+  return format_rounded(value, delay_digits).in(language);
 }
 
 std::string share_of(DelayItem const& item, design::CycleTime cycle_time, Language language) {
@@ -74,8 +74,8 @@ std::string share_of(DelayItem const& item, design::CycleTime cycle_time, Langua
     if (cycles == 0) continue;
     double const milliseconds = cycles * cycle_time.microseconds() / 1000;
     text += (text.empty() ? "" : ", ") + say(sentence, language,
-                                             {{"cycles", format_rounded(cycles, shown_digits)},
-                                              {"time", format_rounded(milliseconds, shown_digits)}});
+                                             {{"cycles", format_rounded(cycles, delay_digits)},
+                                              {"time", format_rounded(milliseconds, delay_digits)}});
   }
   return text;
 }
@@ -113,14 +113,14 @@ std::string delay_in_cycles(OpenList const& list, schema::NameLookup const& foun
   auto const number = schema::read_real(list.slice(line.value));
   if (number.status != schema::NumberStatus::good) return {};
   double const cycles = list.cycle_time().cycles({number.number});
-  return say(says::in_cycles, language, {{"cycles", format_rounded(cycles, shown_digits)}});
+  return say(says::in_cycles, language, {{"cycles", format_rounded(cycles, delay_digits)}});
 }
 
 std::string lead_line(OpenList const& list, Language language) {
   auto const budget = budget_of(list);
   if (!budget || !budget->feeds_velocity || std::abs(budget->lead()) <= delay_rounding) return {};
   auto const lead = say(budget->lead() > 0 ? says::leads : says::lags, language,
-                        {{"cycles", format_rounded(std::abs(budget->lead()), shown_digits)}});
+                        {{"cycles", format_rounded(std::abs(budget->lead()), delay_digits)}});
   auto const deviation = validator::deviation_of_lead(*list.axis(), budget->lead(), list.cycle_time());
   if (!deviation) return lead;
   return say(says::with_deviation, language,

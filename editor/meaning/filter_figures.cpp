@@ -32,7 +32,6 @@ namespace axisc::editor {
 
 namespace {
 
-constexpr int shown_digits = 3;
 constexpr double floor_db = -60;
 constexpr std::size_t points = 160;
 

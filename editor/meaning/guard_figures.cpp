@@ -34,8 +34,6 @@ namespace axisc::editor {
 
 namespace {
 
-constexpr int shown_digits = 3;
-
 /// Between two axes with the kernel, in µm; none where its setpoint does not arrive.
 std::optional<double> corner_error(design::KernelDesign const& kernel, double um_per_s,
                                    design::CycleTime cycle_time) {

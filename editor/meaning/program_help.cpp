@@ -19,8 +19,8 @@ namespace axisc::editor::says {
 
 constexpr Sentence axis_lists{"the axis lists' values", "die Werte der Achslisten"};
 constexpr Sentence in_force{"In force from here: {parameters}.", "Ab hier gilt: {parameters}."};
-constexpr Sentence switched_off{"FIR and HSC filters are off from here.",
-                                "Ab hier sind FIR- und HSC-Filter aus."};
+constexpr Sentence filters_off{"FIR and HSC filters are off from here.",
+                               "Ab hier sind FIR- und HSC-Filter aus."};
 constexpr Sentence hsc{"Acts on the HSC filters alone.", "Wirkt nur auf die HSC-Filter."};
 constexpr Sentence guards_off{"Vibration Guards are off from here.",
                               "Ab hier sind die Vibration Guards aus."};
@@ -35,8 +35,6 @@ constexpr Sentence axis_without{"- {axis}: no FIR filter", "- {axis}: kein FIR-F
 namespace axisc::editor {
 
 namespace {
-
-constexpr int shown_digits = 3;
 
 std::string guard_of_axis(validator::LoadedAxis const& axis, design::CycleTime cycle_time,
                           machine::FilterParameters const& given, Language language) {
@@ -99,7 +97,7 @@ std::optional<CommandHelp> command_help(std::string_view text, std::size_t offse
     CommandHelp help{.text = {}, .begin = command.name.begin, .end = end};
     if (checked.command->filter_switch == machine::FilterSwitch::off) {
       help.text =
-          say(checked.command->parameters.guard ? says::guards_off : says::switched_off, language) + "\n";
+          say(checked.command->parameters.guard ? says::guards_off : says::filters_off, language) + "\n";
     } else if (checked.command->hsc) {
       help.text = say(says::hsc, language) + "\n";
     } else {

@@ -14,8 +14,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"the NC cycle time is not known; 1 ms was assumed",
-                            "die NC-Zykluszeit ist nicht bekannt; angenommen wurde 1 ms"};
+constexpr Sentence assumed_cycle_time{"the NC cycle time is not known; 1 ms was assumed",
+                                      "die NC-Zykluszeit ist nicht bekannt; angenommen wurde 1 ms"};
 constexpr Sentence help{"`--cycle-time 2ms`, or \"cycle_time_us\" in a machine file, sets it",
                         "`--cycle-time 2ms` oder \"cycle_time_us\" in einer Maschinendatei gibt sie an"};
 
@@ -351,7 +351,7 @@ class Engine {
     Finding finding = new_finding(*find_rule(cycle_time_assumed));
     finding.severity = policy_.severity(finding.code, finding.severity);
     finding.file = machine_.path;
-    finding.message = {says::headline};
+    finding.message = {says::assumed_cycle_time};
     finding.help.push_back({says::help});
     return finding;
   }

@@ -9,8 +9,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"nothing to silence: there is no {code} on this line",
-                            "hier wird nichts unterdrückt: zu dieser Zeile gibt es kein {code}"};
+constexpr Sentence nothing_to_silence{"nothing to silence: there is no {code} on this line",
+                                      "hier wird nichts unterdrückt: zu dieser Zeile gibt es kein {code}"};
 constexpr Sentence next_line{"nothing to silence: there is no {code} on the next line",
                              "hier wird nichts unterdrückt: zur nächsten Zeile gibt es kein {code}"};
 constexpr Sentence unknown{"there is no rule `{code}`", "eine Regel `{code}` gibt es nicht"};
@@ -208,7 +208,7 @@ void Suppressions::report(Allowance const& allowance, SourceSet const& sources, 
   }
   SentenceRef text = allowance.whole_file  ? says::whole_file
                      : allowance.next_line ? says::next_line
-                                           : says::headline;
+                                           : says::nothing_to_silence;
   if (!allowance.known) text = word.empty() ? says::empty : says::unknown;
   Message message{text};
   if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});

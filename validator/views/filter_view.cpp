@@ -18,10 +18,11 @@ enum class Member : std::uint8_t { enable, order, prototype, type, frequency, qu
 constexpr std::array<std::string_view, 8> member_names = {
     "enable", "order", "prototype", "type", "fg_f0", "guete", "share_percent", "time_constant"};
 
-using Slots = std::array<std::array<schema::Slot, member_names.size()>, setpoint_filters + interface_filters>;
+using FilterSlots =
+    std::array<std::array<schema::Slot, member_names.size()>, setpoint_filters + interface_filters>;
 
-Slots look_up_slots() {
-  Slots slots{};
+FilterSlots look_up_slots() {
+  FilterSlots slots{};
   for (std::size_t member = 0; member < member_names.size(); ++member) {
     std::string const name(member_names[member]);
     schema::Parameter const& of_setpoint = row_at("filter[]." + name);
@@ -36,7 +37,7 @@ Slots look_up_slots() {
 
 /// Views are made by the thousand; the names are looked up once.
 std::array<schema::Slot, member_names.size()> const& slots_of(FilterPort port, std::uint32_t index) {
-  static Slots const slots = look_up_slots();
+  static FilterSlots const slots = look_up_slots();
   return slots[port == FilterPort::setpoint ? index : setpoint_filters + index];
 }
 

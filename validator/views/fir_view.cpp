@@ -16,7 +16,7 @@ constexpr std::array kernels{
 };
 
 /// Views are made by the thousand; the names are looked up once.
-struct Slots {
+struct FirSlots {
   schema::Slot enable = row_at("filter_fir.enable").first_slot;
   schema::Slot type = row_at("filter_fir.type").first_slot;
   schema::Slot order = row_at("filter_fir.order").first_slot;
@@ -26,21 +26,21 @@ struct Slots {
   schema::Slot quality = row_at("filter_fir.quality").first_slot;
 };
 
-Slots const& slots() {
-  static Slots const known;
+FirSlots const& fir_slots() {
+  static FirSlots const known;
   return known;
 }
 
 }  // namespace
 
 FirView::FirView(EffectiveValues const& values)
-    : enable(values[slots().enable]),
-      type(values[slots().type]),
-      order(values[slots().order]),
-      order_time(values[slots().order_time]),
-      share(values[slots().share]),
-      frequency(values[slots().frequency]),
-      quality(values[slots().quality]),
+    : enable(values[fir_slots().enable]),
+      type(values[fir_slots().type]),
+      order(values[fir_slots().order]),
+      order_time(values[fir_slots().order_time]),
+      share(values[fir_slots().share]),
+      frequency(values[fir_slots().frequency]),
+      quality(values[fir_slots().quality]),
       readings(values.readings()) {}
 
 FirType FirView::configured_type() const {

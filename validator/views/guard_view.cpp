@@ -6,25 +6,25 @@ namespace axisc::validator {
 namespace {
 
 /// Views are made by the thousand; the names are looked up once.
-struct Slots {
+struct GuardSlots {
   schema::Slot active = row_at("vib_guard.active").first_slot;
   schema::Slot mode = row_at("vib_guard.mode").first_slot;
   schema::Slot frequency = row_at("vib_guard.freq").first_slot;
   schema::Slot damping = row_at("vib_guard.damping").first_slot;
 };
 
-Slots const& slots() {
-  static Slots const known;
+GuardSlots const& guard_slots() {
+  static GuardSlots const known;
   return known;
 }
 
 }  // namespace
 
 GuardView::GuardView(EffectiveValues const& values)
-    : active(values[slots().active]),
-      mode(values[slots().mode]),
-      frequency(values[slots().frequency]),
-      damping(values[slots().damping]),
+    : active(values[guard_slots().active]),
+      mode(values[guard_slots().mode]),
+      frequency(values[guard_slots().frequency]),
+      damping(values[guard_slots().damping]),
       readings(values.readings()) {}
 
 std::optional<design::KernelSpecification> GuardView::specification(design::CycleTime cycle_time) const {

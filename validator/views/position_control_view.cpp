@@ -45,11 +45,11 @@ constexpr std::array<MemberRow, 13> members = {{
     {.name = "filter[].q_factor", .per_filter = true},
 }};
 
-using FilterSlots = std::array<schema::Slot, filters_per_stage>;
-using Slots = std::array<std::array<FilterSlots, members.size()>, position_control_stages>;
+using StageFilterSlots = std::array<schema::Slot, filters_per_stage>;
+using StageSlots = std::array<std::array<StageFilterSlots, members.size()>, position_control_stages>;
 
-Slots look_up_slots() {
-  Slots slots{};
+StageSlots look_up_slots() {
+  StageSlots slots{};
   for (std::size_t member = 0; member < members.size(); ++member) {
     std::string pattern("lr_param.improved_position_control.stage[].");
     pattern.append(members[member].name);
@@ -64,8 +64,8 @@ Slots look_up_slots() {
 }
 
 /// Views are made by the thousand; the names are looked up once.
-Slots const& stage_slots() {
-  static Slots const slots = look_up_slots();
+StageSlots const& stage_slots() {
+  static StageSlots const slots = look_up_slots();
   return slots;
 }
 

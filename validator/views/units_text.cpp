@@ -9,13 +9,13 @@
 namespace axisc::validator {
 namespace {
 
-struct UnitRow {
+struct PrintedUnit {
   std::string_view raw;
   double factor;
   std::string_view name;
 };
 
-constexpr std::array<UnitRow, 24> table = {{
+constexpr std::array<PrintedUnit, 24> printed_units = {{
     {.raw = "0.1 um", .factor = 1e-4, .name = "mm"},
     {.raw = "um", .factor = 1e-3, .name = "mm"},
     {.raw = "1e-4 deg", .factor = 1e-4, .name = "°"},
@@ -42,8 +42,8 @@ constexpr std::array<UnitRow, 24> table = {{
     {.raw = "increment", .factor = 1, .name = "inc"},
 }};
 
-UnitRow row_of(std::string_view unit) {
-  for (UnitRow const& row : table) {
+PrintedUnit row_of(std::string_view unit) {
+  for (PrintedUnit const& row : printed_units) {
     if (row.raw == unit) return row;
   }
   return {.raw = unit, .factor = 1, .name = unit};
@@ -56,7 +56,7 @@ std::string_view unit_of(schema::Parameter const& parameter, machine::AxisType t
 }
 
 Wording physical(double raw, std::string_view unit) {
-  UnitRow const row = row_of(unit);
+  PrintedUnit const row = row_of(unit);
   Wording text = format_rounded(raw * row.factor, 12);
   if (!row.name.empty()) text += " " + std::string(row.name);
   return text;

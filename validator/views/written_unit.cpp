@@ -29,7 +29,7 @@ enum class Quantity : std::uint8_t {
   ratio,
 };
 
-struct UnitRow {
+struct WrittenUnit {
   std::string_view text;
   Quantity quantity{};
   double factor = 1;  ///< to s, Hz, m, ° and units composed of them
@@ -38,7 +38,7 @@ struct UnitRow {
 constexpr double minute = 60;
 constexpr double revolution = 360;
 
-constexpr UnitRow table[] = {
+constexpr WrittenUnit written_units[] = {
     {.text = "s", .quantity = Quantity::time, .factor = 1},
     {.text = "ms", .quantity = Quantity::time, .factor = 1e-3},
     {.text = "us", .quantity = Quantity::time, .factor = 1e-6},
@@ -75,10 +75,10 @@ constexpr UnitRow table[] = {
     {.text = "%", .quantity = Quantity::ratio, .factor = 1e-2},
 };
 
-UnitRow const* find_unit(std::string_view text) {
-  auto const* const found = std::find_if(std::begin(table), std::end(table),
-                                         [text](UnitRow const& row) { return row.text == text; });
-  return found == std::end(table) ? nullptr : found;
+WrittenUnit const* find_unit(std::string_view text) {
+  auto const* const found = std::find_if(std::begin(written_units), std::end(written_units),
+                                         [text](WrittenUnit const& row) { return row.text == text; });
+  return found == std::end(written_units) ? nullptr : found;
 }
 
 /// "[mm/s²]" as "mm/s^2".
@@ -117,8 +117,8 @@ std::optional<double> unit_ratio(std::string_view word, std::string_view unit) {
     factor = schema::read_real(unit.substr(0, blank)).number;
     unit.remove_prefix(blank + 1);
   }
-  UnitRow const* const written = find_unit(plain(word));
-  UnitRow const* const wanted = find_unit(unit);
+  WrittenUnit const* const written = find_unit(plain(word));
+  WrittenUnit const* const wanted = find_unit(unit);
   if (written == nullptr || wanted == nullptr || written->quantity != wanted->quantity) return std::nullopt;
   return written->factor / (wanted->factor * factor);
 }
