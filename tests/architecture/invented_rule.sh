@@ -23,7 +23,7 @@ cp -rp "$source/tests/architecture/invented_rule/$rule" "$tree/validator/rules/"
 quietly cmake -S "$tree" -B "$tree/build/release" -G Ninja -DCMAKE_BUILD_TYPE="$(cached CMAKE_BUILD_TYPE)" \
   -DCMAKE_C_COMPILER="$(cached CMAKE_C_COMPILER)" -DCMAKE_CXX_COMPILER="$(cached CMAKE_CXX_COMPILER)" \
   -DCMAKE_C_FLAGS_RELEASE="$(cached CMAKE_C_FLAGS_RELEASE)" -DCMAKE_CXX_FLAGS_RELEASE="$(cached CMAKE_CXX_FLAGS_RELEASE)" \
-  -DCMAKE_EXE_LINKER_FLAGS="$(cached CMAKE_EXE_LINKER_FLAGS)" -DAXISC_BUILD_TESTS=ON
+  -DAXISC_BATCHES="$(cached AXISC_BATCHES)" -DCMAKE_EXE_LINKER_FLAGS="$(cached CMAKE_EXE_LINKER_FLAGS)" -DAXISC_BUILD_TESTS=ON
 quietly cmake --build "$tree/build/release" --target axisc test_rules
 axisc="$tree/build/release/bin/axisc" test_rules="$tree/build/release/bin/test_rules"
 
