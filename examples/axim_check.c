@@ -160,8 +160,8 @@ static void read_chain(uint32_t first, uint32_t filter_total) {
     if (f->blocks) final_value *= f->direct;
     delays += f->delay;
     for (uint32_t j = 0; j < total; ++j) {
-      sections[section_count] = read_section(record(SECTIONS, u32(at + 24) + j), f->blocks);
-      certain = certain && sections[section_count++].shrinking > 0;
+      section *s = &sections[section_count++];
+      *s = read_section(record(SECTIONS, u32(at + 24) + j), f->blocks); certain = certain && s->shrinking > 0;
     }
   }
 }
@@ -369,7 +369,7 @@ static double check(uint32_t axis, uint32_t port, uint32_t kernel, uint32_t stag
   uint32_t flags = run->ended && certain ? 0 : 1; claim("flags", u32(r + 12), flags, u32(r + 12) == flags);
   claim("cycles", u32(r + 16), run->cycles, u32(r + 16) == (uint32_t)run->cycles);
   double low = f64(r + 24), left = distance_error + run->distance_rest;
-  claim("gain_low", low, run->gain - gain_error, low >= 0 && low <= run->gain - gain_error);
+  claim("gain_low", low, run->gain - gain_error, low == 0 || (low > 0 && low <= run->gain - gain_error));
   at_least(r, 32, "gain_high", run->gain + (gain_error + run->gain_rest), 1);
   at_least(r, 40, "overshoot_high", final_value > 0 ? (fmax(run->highest, 0) + left) / final_value : 0, 1);
   at_least(r, 48, "distance_high", final_value == 1 ? run->distance + left : 0, 1);
