@@ -17,15 +17,11 @@
 enum { AXES = 1, FILTERS, SECTIONS, KERNELS, TAILS, SLOTS, GROUPS, BANKS = 9, CHOICES, STAGES = 12, BOUNDS = 20 };
 static const uint8_t *image, *table[32]; static uint32_t stride[32], count[32];
 static uint64_t little_endian(const uint8_t *at, int size) {
-  uint64_t value = 0;
-  while (size-- > 0) value = value << 8 | at[size];
-  return value;
+  return size > 0 ? little_endian(at + 1, size - 1) << 8 | *at : 0;
 }
 static uint32_t u32(const uint8_t *at) { return (uint32_t)little_endian(at, 4); }
 static uint64_t u64(const uint8_t *at) { return little_endian(at, 8); }
-static double f64(const uint8_t *at) {
-  uint64_t bits = u64(at); double value; return memcpy(&value, &bits, sizeof value), value;
-}
+static double f64(const uint8_t *at) { uint64_t bits = u64(at); double x; return memcpy(&x, &bits, sizeof x), x; }
 static void unreadable(const char *why) { printf("not readable: %s\n", why); exit(2); }
 static const uint8_t *record(int kind, uint32_t index) {
   if (index >= count[kind]) unreadable("an index is outside its section");
@@ -57,28 +53,28 @@ static void open_image(size_t size) {
   if (table[BOUNDS] == NULL) unreadable("the image has no bounds");
 }
 
+/* What rounding takes from a + b, and from a b. */
+static double lost_of_sum(double a, double b) { double y = (a + b) - a; return (a - ((a + b) - y)) + (b - y); }
+static double lost_of_product(double a, double b) {
+  double shift = 0x1p27 + 1, a1 = shift * a - (shift * a - a), b1 = shift * b - (shift * b - b), a2 = a - a1, b2 = b - b1;
+  return ((a1 * b1 - a * b) + a1 * b2 + a2 * b1) + a2 * b2;
+}
+
 /* ---- B1 and B2: sections ---- */
 typedef struct { double a[4]; } matrix; /* ee, er, re, rr */
 typedef struct { /* stored, g = p + q; sums of what states do; sums for every unit of d; m (0: not certain), s */
-  double p, g, k, b, ee, er, re, rr, change, excess, following, passed, shrinking, scale;
+  double p, g, lost_of_g, k, b, ee, er, re, rr, change, excess, following, passed, shrinking, scale;
 } section;
 /* The exact sign of a sum of products, in parts that do not overlap. */
 static double parts[16]; static int part_count;
 static void add_part(double x) {
-  for (int i = 0; i < part_count; ++i) {
-    double sum = x + parts[i], y = sum - x;
-    parts[i] = (x - (sum - y)) + (parts[i] - y); x = sum;
-  }
+  for (int i = 0; i < part_count; ++i) { double sum = x + parts[i]; parts[i] = lost_of_sum(x, parts[i]); x = sum; }
   parts[part_count++] = x;
 }
-static void add_product(double a, double b) {
-  double shift = 0x1p27 + 1, product = a * b;
-  double a1 = shift * a - (shift * a - a), b1 = shift * b - (shift * b - b), a2 = a - a1, b2 = b - b1;
-  add_part(((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2); add_part(product);
-}
+static void add_product(double a, double b) { add_part(lost_of_product(a, b)); add_part(a * b); }
 static int holds(double R, double k, double b, double c, double m) {
-  part_count = 0; add_product(R, R); add_product(c, 1); add_product(-c, b); add_product(2 * m, R);
-  add_product(-m * k, R); add_product(-m * b, R);
+  part_count = 0; add_product(R, R); add_product(c, 1); add_product(-c, b);
+  add_product(2 * m, R); add_product(-m * k, R); add_product(-m * b, R);
   while (part_count > 0 && parts[part_count - 1] == 0) --part_count;
   return part_count == 0 || parts[part_count - 1] > 0;
 }
@@ -88,37 +84,30 @@ static int poles_are_within(double R, double k, double b) {
 typedef struct { double e, r, sum_e, sum_r, change; } walk;
 static void walk_on(walk *w, double k, double b) {
   double r = w->r;
-  w->sum_e += fabs(w->e); w->sum_r += fabs(r); w->e += r; w->r = (r - b * r) - k * w->e;
-  w->change += fabs(w->r - r);
+  w->sum_e += fabs(w->e); w->sum_r += fabs(r); w->e += r; w->r = (r - b * r) - k * w->e; w->change += fabs(w->r - r);
 }
 static double norm(matrix x) { return fmax(fabs(x.a[0]) + fabs(x.a[1]), fabs(x.a[2]) + fabs(x.a[3])); }
 static matrix times(matrix x, matrix y) {
-  matrix z;
-  for (int i = 0; i < 4; ++i) z.a[i] = x.a[i & 2] * y.a[i & 1] + x.a[i | 1] * y.a[i | 2];
+  matrix z; for (int i = 0; i < 4; ++i) z.a[i] = x.a[i & 2] * y.a[i & 1] + x.a[i | 1] * y.a[i | 2];
   return z;
 }
 static matrix with_rest(matrix sum, double n) {
-  matrix z;
-  for (int i = 0; i < 4; ++i) z.a[i] = sum.a[i] + (sum.a[i & 2] + sum.a[i | 1]) * (n / (1 - n) * OUT);
-  return z;
+  double f = n / (1 - n) * OUT, of_e = (sum.a[0] + sum.a[1]) * f, of_r = (sum.a[2] + sum.a[3]) * f;
+  return (matrix){{sum.a[0] + of_e, sum.a[1] + of_e, sum.a[2] + of_r, sum.a[3] + of_r}};
 }
 /* The sum of all |A^n| from that of the first, where the walk did not end. */
 static matrix doubled(matrix sum, matrix power) {
   double error = 12 * U * norm(sum) * norm(sum);
   for (int doublings = 0; doublings < 64; ++doublings) {
-    matrix most = power;
-    for (int i = 0; i < 4; ++i) most.a[i] = fabs(most.a[i]) + error;
-    double n = norm(most);
-    if (n <= 0x1p-4) return with_rest(sum, n);
-    matrix added = times(sum, most);
-    for (int i = 0; i < 4; ++i) sum.a[i] += added.a[i];
+    matrix most = power; for (int i = 0; i < 4; ++i) most.a[i] = fabs(most.a[i]) + error;
+    double n = norm(most); if (n <= 0x1p-4) return with_rest(sum, n);
+    matrix added = times(sum, most); for (int i = 0; i < 4; ++i) sum.a[i] += added.a[i];
     error = 2 * n * error + 4 * U * n * n; power = times(power, power);
   }
   return (matrix){{0x1p200, 0x1p200, 0x1p200, 0x1p200}};
 }
 static section read_section(const uint8_t *at, int blocks) {
-  double p = f64(at), g = p + f64(at + 8), k = f64(at + 16), b = f64(at + 24), s;
-  int exponent, m = 0;
+  double p = f64(at), q = f64(at + 8), g = p + q, k = f64(at + 16), b = f64(at + 24), s; int exponent, m = 0;
   if (!(k > 0 && b > 0 && b < 2 && 4 - k - 2 * b > 0)) unreadable("a section is not stable");
   frexp(k, &exponent); s = ldexp(1, (int)floor((exponent - 1) / 2.0));
   walk of_e = {1, 0, 0, 0, 0}, of_r = {0, 1, 0, 0, 0}, of_d = {p, g - k * p - b * p, 0, 0, 0}; matrix power;
@@ -131,7 +120,7 @@ static section read_section(const uint8_t *at, int blocks) {
   all = ended ? with_rest(all, 0x1p-23) : doubled(all, power);
   double row_e = (all.a[0] + all.a[1]) * (12 * U), row_r = (all.a[2] + all.a[3]) * (12 * U);
   double column_e = all.a[0] + all.a[2], column_r = all.a[1] + all.a[3], walked = of_d.sum_e * s + of_d.sum_r;
-  section z = {.p = p, .g = g, .k = k, .b = b, .scale = s};
+  section z = {.p = p, .g = g, .lost_of_g = lost_of_sum(p, q), .k = k, .b = b, .scale = s};
   z.ee = (all.a[0] + row_e * column_e) * OUT; z.er = (all.a[1] + row_e * column_r) / s * OUT;
   z.re = (all.a[2] + row_r * column_e) * s * OUT; z.rr = (all.a[3] + row_r * column_r) * OUT;
   z.change = (of_r.change + 2 * (row_r * column_r + (z.re * fabs(of_r.e) + z.rr * fabs(of_r.r)))) * OUT;
@@ -142,7 +131,7 @@ static section read_section(const uint8_t *at, int blocks) {
 }
 
 /* ---- The chain and its kernel ---- */
-typedef struct { int first, count, delay, blocks, shared; double share, direct, base; } filter;
+typedef struct { int first, count, delay, blocks, shared; double share, direct, lost_of_direct, base; } filter;
 static filter filters[3]; static section sections[18];
 static int filter_count, section_count, certain, tail_count, before;
 static double final_value, delays, tails[1024], tail_sum, tap_sum;
@@ -157,6 +146,7 @@ static void read_chain(uint32_t first, uint32_t filter_total) {
     filter *f = &filters[filter_count++]; f->first = section_count; f->count = (int)total;
     f->delay = realisation == 2 ? (int)delay : 0; f->blocks = u32(at + 20) != 0; f->share = f64(at + 48);
     f->direct = f64(at + 56); f->shared = f->share != 1 && f->direct != 1; f->base = final_value;
+    f->lost_of_direct = lost_of_sum(1, -f->share);
     if (f->blocks) final_value *= f->direct;
     delays += f->delay;
     for (uint32_t j = 0; j < total; ++j) {
@@ -170,87 +160,101 @@ static double tap(int j) { return (j == 0 ? 1 : tail(j - 1)) - tail(j); }
 static void read_kernel(uint32_t kernel, int is_before) {
   tail_count = 0; tail_sum = 0; tap_sum = 1; before = is_before;
   if (kernel == NONE) return;
-  const uint8_t *at = record(KERNELS, kernel);
+  const uint8_t *at = record(KERNELS, kernel); tail_count = (int)u32(at + 20); tap_sum = 0;
   if (u32(at + 20) > 960) unreadable("a kernel is too long");
-  tail_count = (int)u32(at + 20); tap_sum = 0;
   for (int j = 0; j < tail_count; ++j) tails[j] = f64(record(TAILS, u32(at + 16) + (uint32_t)j));
   for (int j = 0; j <= tail_count; ++j) tail_sum += fabs(tail(j)), tap_sum += fabs(tap(j));
   tail_sum *= SECOND; tap_sum *= SECOND;
 }
 
 /* ---- B3: the response ---- */
-typedef struct { double d[2], de[2], e[2], r[2]; } sizes; /* [0] per increment, [1] per distance from rest */
-typedef struct { double excess, d; } signal;
-typedef struct {
-  int cycles, ended; double gain, gain_rest, distance, distance_rest, highest, output[2]; sizes of[18]; } response;
-static struct { double e, r, d, de; } state[18]; static signal ring[3][100]; static int ring_at[3];
-static void add_size(double z[2], double *last, double value) {
-  z[0] += fabs(value); z[1] += fabs(value - *last); *last = value;
+/* A number, and what roundings took from it in a run that keeps that, of `keep` cycles; `keep` is 0 in others. */
+typedef struct { double value, lost; } kept;
+static int keep;
+static kept plus(kept a, kept b) {
+  return (kept){a.value + b.value, keep ? (a.lost + b.lost) + lost_of_sum(a.value, b.value) : 0};
 }
-static double run_section(int i, double d, sizes *z) {
-  double de = sections[i].p * d + state[i].r, e = state[i].e + de;
-  double r = state[i].r + (sections[i].g * d - sections[i].k * e - sections[i].b * de);
+static kept product(double a, double lost, kept x) {
+  return (kept){a * x.value, keep ? (a * x.lost + lost * x.value) + lost_of_product(a, x.value) : 0};
+}
+static double rounded(kept x) { return x.value + x.lost; }
+static double whole(kept x) { return fabs(x.value) + fabs(x.lost); }
+typedef struct { double d[2], de[2], e[2], r[2]; } sizes; /* [0] per increment, [1] per distance from rest */
+typedef struct { kept excess, d; } signal;
+typedef struct { double excess, d; } left;
+typedef struct { int cycles, ended; double gain, gain_rest, distance, distance_rest, highest, output[2]; sizes of[18]; } response;
+static struct { kept e, r, d, de; } state[18]; static signal ring[3][100]; static int ring_at[3];
+static void add_size(double z[2], kept *last, kept x) {
+  double now = keep ? x.lost : x.value, then = keep ? last->lost : last->value;
+  z[0] += fabs(now); z[1] += fabs(now - then); *last = x;
+}
+static kept run_section(int i, kept d, sizes *z) {
+  const section *s = &sections[i];
+  kept de = plus(product(s->p, 0, d), state[i].r), e = plus(state[i].e, de);
+  kept r = plus(product(s->g, s->lost_of_g, d), product(-s->k, 0, e)); r = plus(state[i].r, plus(r, product(-s->b, 0, de)));
   add_size(z->d, &state[i].d, d); add_size(z->de, &state[i].de, de);
   add_size(z->e, &state[i].e, e); add_size(z->r, &state[i].r, r); return de;
 }
+static kept shared(const filter *f, kept y, kept x) {
+  return plus(product(f->share, 0, y), product(f->direct, f->lost_of_direct, x));
+}
 static signal run_chain(signal x, response *to) {
   for (int i = 0; i < filter_count; ++i) {
-    const filter *f = &filters[i]; signal y = {f->blocks ? 0 : x.excess, x.d};
+    const filter *f = &filters[i]; signal y = x;
     for (int k = f->first; k < f->first + f->count; ++k) {
-      double de = run_section(k, y.d, &to->of[k]);
-      y.d = f->blocks ? de : y.d + de; y.excess = f->blocks ? state[k].e : y.excess + state[k].e;
+      kept de = run_section(k, y.d, &to->of[k]);
+      y.d = f->blocks ? de : plus(y.d, de); y.excess = f->blocks ? state[k].e : plus(y.excess, state[k].e);
     }
     if (f->delay > 0) y = ring[i][ring_at[i]], ring[i][ring_at[i]] = x, ring_at[i] = (ring_at[i] + 1) % f->delay;
-    x.excess = f->share * y.excess + f->direct * x.excess; x.d = f->share * y.d + f->direct * x.d;
+    x.excess = shared(f, y.excess, x.excess); x.d = shared(f, y.d, x.d);
   }
   return x;
 }
 static void add_rest(double z[2], double last, double rest) { z[0] += rest; z[1] += 2 * rest + fabs(last); }
 /* What is left after the chain, which is added to the sizes where they are given. */
-static signal rest_of_chain(response *to) {
-  signal x = {0, 0};
+static left rest_of_chain(response *to) {
+  left x = {0, 0};
   for (int i = 0; i < filter_count; ++i) {
-    const filter *f = &filters[i]; signal y = {f->blocks ? 0 : x.excess, x.d};
+    const filter *f = &filters[i]; left y = {f->blocks ? 0 : x.excess, x.d};
     for (int k = f->first; k < f->first + f->count; ++k) {
       const section *s = &sections[k];
-      double re = s->re * fabs(state[k].e) + s->rr * fabs(state[k].r);
-      double ee = s->ee * fabs(state[k].e) + s->er * fabs(state[k].r) + s->excess * y.d;
+      double re = s->re * whole(state[k].e) + s->rr * whole(state[k].r);
+      double ee = s->ee * whole(state[k].e) + s->er * whole(state[k].r) + s->excess * y.d;
       if (to != NULL) {
-        add_rest(to->of[k].d, state[k].d, y.d); add_rest(to->of[k].e, 0, ee);
-        add_rest(to->of[k].de, state[k].de, re + (fabs(s->p) + s->following) * y.d);
-        add_rest(to->of[k].r, state[k].r, re + s->following * y.d); to->of[k].e[1] = to->of[k].de[0];
+        add_rest(to->of[k].d, state[k].d.value, y.d); add_rest(to->of[k].e, 0, ee);
+        add_rest(to->of[k].de, state[k].de.value, re + (fabs(s->p) + s->following) * y.d);
+        add_rest(to->of[k].r, state[k].r.value, re + s->following * y.d); to->of[k].e[1] = to->of[k].de[0];
       }
       y.excess = f->blocks ? ee : y.excess + ee; y.d = re + s->passed * y.d;
     }
-    for (int k = 0; k < f->delay; ++k) y.excess += fabs(ring[i][k].excess), y.d += fabs(ring[i][k].d);
+    for (int k = 0; k < f->delay; ++k) y.excess += whole(ring[i][k].excess), y.d += whole(ring[i][k].d);
     x.excess = f->share * y.excess + f->direct * x.excess; x.d = f->share * y.d + f->direct * x.d;
   }
   return x;
 }
-static void add_exactly(double sum[2], double x) {
-  double high = sum[0] + x, y = high - sum[0];
-  sum[1] += (sum[0] - (high - y)) + (x - y); sum[0] = high;
-}
+static void add_exactly(double sum[2], double x) { sum[1] += lost_of_sum(sum[0], x); sum[0] += x; }
 static void respond(response *to) {
   double gain[2] = {0, 0}, distance[2] = {0, 0}, change = 0, last = 0;
-  signal rest = {0, 0}; int n = 0; memset(to, 0, sizeof *to); memset(state, 0, sizeof state);
+  left rest = {0, 0}; int n = 0; memset(to, 0, sizeof *to); memset(state, 0, sizeof state);
   for (int i = 0; i < filter_count; ++i) {
     ring_at[i] = 0;
-    for (int k = 0; k < filters[i].delay; ++k) ring[i][k].excess = -filters[i].base, ring[i][k].d = 0;
+    for (int k = 0; k < filters[i].delay; ++k) ring[i][k] = (signal){{-filters[i].base, 0}, {0, 0}};
   }
   to->highest = -final_value;
   while (!to->ended && n < 1 << 22) {
     for (int end = n + 64; n < end; ++n) {
-      signal x = {-tail(n), n <= tail_count ? tap(n) : 0}; x = run_chain(x, to);
-      add_exactly(gain, fabs(x.d)); add_exactly(distance, fabs(x.excess)); change += fabs(x.d - last);
-      last = x.d; to->highest = fmax(to->highest, x.excess);
+      kept all = {n == 0 ? 1 : tail(n - 1), 0}, passed = {-tail(n), 0};
+      signal x = run_chain((signal){passed, plus(all, passed)}, to);
+      double d = rounded(x.d), excess = rounded(x.excess);
+      add_exactly(gain, fabs(d)); add_exactly(distance, fabs(excess)); change += fabs(d - last);
+      last = d; to->highest = fmax(to->highest, excess);
     }
     if (n <= tail_count) continue;
     rest = rest_of_chain(NULL); to->gain = gain[0] + gain[1]; to->distance = distance[0] + distance[1];
-    to->ended = rest.d <= 0x1p-44 * to->gain && rest.excess <= 0x1p-44 * to->distance;
+    to->ended = keep ? n == keep : rest.d <= 0x1p-44 * to->gain && rest.excess <= 0x1p-44 * to->distance;
   }
-  rest_of_chain(to); to->cycles = n;
-  to->gain_rest = rest.d * SECOND; to->distance_rest = rest.excess * SECOND;
+  if (!keep) rest_of_chain(to);
+  to->cycles = n; to->gain_rest = rest.d * SECOND; to->distance_rest = rest.excess * SECOND;
   to->output[0] = to->gain + rest.d; to->output[1] = change + 2 * rest.d + fabs(last);
 }
 
@@ -276,8 +280,7 @@ static rounding rounding_of(const sizes *of, double sum, double d, int x, double
     if (f->delay > 0) {
       double path = (x ? 2 : f->delay) + sums[i], both = f->share + f->direct;
       z.error += (of_share + of_direct) * (path * z.of_sum + ds[i] * z.of_d);
-      z.of_sum *= both; z.of_d *= both; z.of_setpoint *= both;
-      continue;
+      z.of_sum *= both; z.of_d *= both; z.of_setpoint *= both; continue;
     }
     z.error += (of_share * in_sum[i] + of_direct * sums[i]) * z.of_sum + (of_share * in_d[i] + of_direct * ds[i]) * z.of_d;
     z.of_sum *= f->share; z.of_d *= f->share; z.of_setpoint *= f->share;
@@ -301,8 +304,7 @@ static rounding rounding_of(const sizes *of, double sum, double d, int x, double
 }
 static double rounding_error(const response *alone, const response *joint, int x) {
   double d = x ? 2 : 1, of_kernel = (10.0 * tail_count + 16) * tail_sum + 0x1p-60, more;
-  rounding z;
-  if (tail_count == 0) {
+  rounding z; if (tail_count == 0) {
     z = rounding_of(alone->of, 0, d, x, 1, 0); more = d * z.of_d;
   } else if (before) {
     z = rounding_of(joint->of, tail_sum * d, tap_sum * d, x, 1, 0);
@@ -316,9 +318,8 @@ static double rounding_error(const response *alone, const response *joint, int x
 }
 
 /* ---- B6: standstill ---- */
-static int bits_of(double x) { /* the least n >= 0 with x <= 2^n */
-  int n; double share = frexp(x, &n); n -= share == 0.5; return n > 0 ? n : 0;
-}
+/* The least n >= 0 with x <= 2^n. */
+static int bits_of(double x) { int n; double share = frexp(x, &n); n -= share == 0.5; return n > 0 ? n : 0; }
 static double rest_cycles(const sizes *of) {
   double cycles = 1 + delays + (tail_count > 0 ? 2 * tail_count + 16 : 0);
   for (int i = 0; i < section_count; ++i) {
@@ -344,18 +345,16 @@ static void at_least(const uint8_t *r, int offset, const char *field, double bou
 static double limit_of(uint32_t axis) { return f64(record(AXES, axis) + 48) * 10 * (u32(image + 32) * 1e-9); }
 /* The record of a chain: port 0 with a kernel, 1, or 2 with a stage. */
 static double check(uint32_t axis, uint32_t port, uint32_t kernel, uint32_t stage, int is_before) {
-  static response alone, joint;
+  static response alone, joint, again;
   if (at_record >= count[BOUNDS]) { printf("record %u is missing\n", (unsigned)at_record), exit(1); }
   const uint8_t *r = record(BOUNDS, at_record), *a = port == 2 ? record(STAGES, stage) : record(AXES, axis);
   int is_due = u32(r) == axis && u32(r + 4) == port && u32(r + 8) == kernel && u32(r + 20) == stage;
   claim("key", u32(r + 8), kernel, is_due);
-  if (kernel == NONE) {
-    const uint8_t *range = a + (port == 0 ? 20 : port == 1 ? 28 : 8);
-    read_chain(u32(range), u32(range + 4)); read_kernel(NONE, is_before); respond(&alone);
-  }
+  const uint8_t *range = a + (port == 0 ? 20 : port == 1 ? 28 : 8);
+  if (kernel == NONE) read_chain(u32(range), u32(range + 4)), read_kernel(NONE, is_before), respond(&alone);
   read_kernel(kernel, is_before);
   if (tail_count > 0) respond(&joint);
-  const response *run = tail_count > 0 ? &joint : &alone;
+  const response *run = tail_count > 0 ? &joint : &alone, *sums = run;
   const sizes *executed = tail_count > 0 && before ? joint.of : alone.of;
   double gain_error = 0, distance_error = 0, radius = f64(r + 56), W[2] = {0, 0};
   int exact = section_count == 0 && tail_count == 0;
@@ -363,16 +362,22 @@ static double check(uint32_t axis, uint32_t port, uint32_t kernel, uint32_t stag
   if (!exact) {
     rounding to_d = rounding_of(run->of, tail_sum, tap_sum, 0, 0, 1);
     rounding to_sum = rounding_of(run->of, tail_sum, tap_sum, 0, 1, 0);
-    gain_error = to_d.error + U * SECOND * tap_sum * to_d.of_d + 4 * U * run->gain;
-    distance_error = to_sum.error + U * SECOND * tap_sum * to_sum.of_d + 4 * U * run->distance;
+    gain_error = to_d.error + U * SECOND * tap_sum * to_d.of_d;
+    distance_error = to_sum.error + U * SECOND * tap_sum * to_sum.of_d;
+    if (run->ended && gain_error > 0x1p-32 * run->gain) {
+      keep = run->cycles; respond(&again); keep = 0; sums = &again;
+      gain_error = 8 * (rounding_of(again.of, 0, U * tap_sum, 0, 0, 1).error + 8 * U * gain_error);
+      distance_error = 8 * (rounding_of(again.of, 0, U * tap_sum, 0, 1, 0).error + 8 * U * distance_error);
+    }
+    gain_error += 4 * U * sums->gain; distance_error += 4 * U * sums->distance;
   }
   uint32_t flags = run->ended && certain ? 0 : 1; claim("flags", u32(r + 12), flags, u32(r + 12) == flags);
   claim("cycles", u32(r + 16), run->cycles, u32(r + 16) == (uint32_t)run->cycles);
-  double low = f64(r + 24), left = distance_error + run->distance_rest;
-  claim("gain_low", low, run->gain - gain_error, low == 0 || (low > 0 && low <= run->gain - gain_error));
-  at_least(r, 32, "gain_high", run->gain + (gain_error + run->gain_rest), 1);
-  at_least(r, 40, "overshoot_high", final_value > 0 ? (fmax(run->highest, 0) + left) / final_value : 0, 1);
-  at_least(r, 48, "distance_high", final_value == 1 ? run->distance + left : 0, 1);
+  double low = f64(r + 24), more = distance_error + sums->distance_rest;
+  claim("gain_low", low, sums->gain - gain_error, low == 0 || (low > 0 && low <= sums->gain - gain_error));
+  at_least(r, 32, "gain_high", sums->gain + (gain_error + sums->gain_rest), 1);
+  at_least(r, 40, "overshoot_high", final_value > 0 ? (fmax(sums->highest, 0) + more) / final_value : 0, 1);
+  at_least(r, 48, "distance_high", final_value == 1 ? sums->distance + more : 0, 1);
   for (int i = 0; i < section_count; ++i) {
     claim("radius_high", radius, NAN, radius <= 1 && poles_are_within(radius, sections[i].k, sections[i].b));
     for (int x = 0; x < 2; ++x) W[x] = fmax(W[x], fmax(executed[i].e[x], executed[i].r[x]));
@@ -394,17 +399,14 @@ static void check_fade(double gain, uint32_t from, uint32_t to, double F, uint32
   static double other[1024];
   double T = u32(image + 32) * 1e-9, a = f64(record(AXES, axis) + 56) * 1e4 * T * T, v = limit_of(axis), L = 0;
   if (F == 0 || !(v > 0) || !(a > 0)) return;
-  read_kernel(from, 0);
-  for (int j = 0; j < 1024; ++j) other[j] = tail(j);
-  read_kernel(to, 0);
-  for (int j = 0; j < 1024; ++j) L += gain * fabs(other[j] - tail(j));
+  read_kernel(from, 0); for (int j = 0; j < 1024; ++j) other[j] = tail(j);
+  read_kernel(to, 0); for (int j = 0; j < 1024; ++j) L += gain * fabs(other[j] - tail(j));
   double most = fmax(15 / (8 * F) * L, 10 / sqrt(3) / (F * F) * L * (v / a) + 15 / (4 * F) * L);
   claim("change of kernels", 0.25, most, most <= 0.25 * (1 + 0x1p-30));
 }
 /* Kernel i of those that an axis can execute, the lists' and its channel's; NONE at their end. */
 static uint32_t kernel_of(const uint8_t *slot, uint32_t i) {
-  if (i == 0) return u32(slot + 12);
-  if (u32(slot + 24) == NONE) return NONE;
+  if (i == 0 || u32(slot + 24) == NONE) return i == 0 ? u32(slot + 12) : NONE;
   const uint8_t *group = record(GROUPS, u32(slot + 24)), *bank = record(BANKS, u32(group + 16) + i - 1);
   return u32(record(CHOICES, u32(bank + 32) + u32(slot + 28) - u32(group + 8)));
 }
@@ -416,9 +418,8 @@ static void check_axis(uint32_t axis) {
   double gain = u32(a + 24) > 0 || slot != NULL ? check(axis, 0, NONE, 0, 0) : 1;
   for (uint32_t last = NONE, next; slot != NULL; last = next) {
     next = NONE;
-    for (uint32_t i = 0; i <= banks; ++i) {
-      uint32_t kernel = kernel_of(slot, i);
-      if ((last == NONE || kernel > last) && kernel < next) next = kernel;
+    for (uint32_t i = 0, kernel; i <= banks; ++i) {
+      if (kernel = kernel_of(slot, i), (last == NONE || kernel > last) && kernel < next) next = kernel;
     }
     if (next == NONE) break;
     check(axis, 0, next, 0, family == 1);
@@ -438,9 +439,8 @@ static void check_axis(uint32_t axis) {
 int main(int arguments, char **argument) {
   FILE *file = arguments == 2 ? fopen(argument[1], "rb") : NULL;
   if (file == NULL) unreadable("usage: axim_check IMAGE");
-  fseek(file, 0, SEEK_END);
-  size_t size = (size_t)ftell(file); uint8_t *bytes = calloc(size + 256, 1); /* no record reaches farther */
-  rewind(file);
+  fseek(file, 0, SEEK_END); size_t size = (size_t)ftell(file); rewind(file);
+  uint8_t *bytes = calloc(size + 256, 1); /* no record reaches farther */
   if (bytes == NULL || fread(bytes, 1, size, file) != size) unreadable("the file cannot be read");
   image = bytes; open_image(size);
   for (uint32_t axis = 0; axis < count[AXES]; ++axis) check_axis(axis);

@@ -68,6 +68,13 @@ X <= 2^-44 distance, the sums of |d| and |excess| so far; at most 2^22. If it do
     distance_high       = distance + Ex + M X                   0 where the final value is not 1
     overshoot_high      = (largest excess or 0 + Ex + M X) / final value;   0 where that is 0
 
+A response that ended, but whose Ed is more than 2^-31 of the gain (chains of band-passes that let next to nothing through,
+sections with poles next to -1), is run again for the same N cycles with a second part in each number, its loss: that of a sum is
+the losses of both and what rounding takes from the sum, exactly; that of c x is c times the loss of x, the loss of c times x, and what
+rounding takes from the product. g has the loss of p + q, direct that of 1 - share, and b_j that of its difference. gain, distance and
+the largest excess are those of value plus loss, D and X those of both parts' magnitudes. With Ld, Lx the errors below for sizes of
+losses, beginning with 0 and u B: Ed = 8 (Ld + 8 u Ed), Ex = 8 (Lx + 8 u Ex). All other fields are those of the first run.
+
 ### Rounding
 
 The *size* of a signal is the most it reaches for every unit of the largest increment: the sum of its magnitudes in a response
@@ -98,7 +105,7 @@ T = M sum of |S_j|, B = M sum of |b_j|, c = 1, or 2 for positions, and h the pro
     K = (10 tails + 16) T + 2^-60
 
 u M times this is the whole, E_v or E_x. The errors of a run are the same with y = 1, z = 0 for Ex and y = 0, z = 1 for Ed,
-beginning with T and B, plus u M B z, plus 4 u times the sum itself. `state_...` is M times the largest E or R of any section.
+beginning with T and B, plus u M B z, and at last 4 u times the sum itself. `state_...` is M times the largest E or R of any section.
 
 ### Standstill
 

@@ -7,6 +7,9 @@
 namespace axisc::runtime::bounds {
 namespace {
 
+/// Of the enclosure of a gain, for every unit of it; a wider one is computed again, and better.
+constexpr double widest = 0x1p-30;
+
 /// No filter multiplies anything: sums of 0 and 1.
 bool is_exact(Chain const& chain, KernelPart const& kernel) {
   bool exact = chain.section_count == 0 && kernel.count == 0;
@@ -14,21 +17,35 @@ bool is_exact(Chain const& chain, KernelPart const& kernel) {
   return exact;
 }
 
-/// Errors of a run of follow_response: of the sums of |h| and of |s - H(1)|. 0 where nothing was rounded.
+/// Errors of the sums of |h| and of |s - H(1)|.
 struct RunErrors {
   double gain, distance;
 };
 
+/// Those of follow_response. 0 where nothing was rounded.
 RunErrors errors_of_run(Chain const& chain, KernelPart const& kernel, Response const& run) {
   if (is_exact(chain, kernel)) return {};
-  constexpr double of_sums = 4 * unit_roundoff;
   Passing const before{.sum = kernel.tail_sum, .d = kernel.tap_sum};
   auto const error = [&](Target target) {
     RoundingOfFilters const filters =
         rounding_of_filters(chain, run.sections, before, &Size::increment, target);
     return filters.error + unit_roundoff * second_order * kernel.tap_sum * filters.gain_of_d;
   };
-  return {.gain = error({0, 1}) + of_sums * run.gain, .distance = error({1, 0}) + of_sums * run.distance};
+  return {.gain = error({0, 1}), .distance = error({1, 0})};
+}
+
+/// Those of repeat_response, which loses of what was lost only: an operation rounds at most five times, each
+/// time by u times the size of that, or of what is added to it (u times what is in `first`).
+RunErrors errors_of_repeated(Chain const& chain, KernelPart const& kernel, Response const& repeated,
+                             RunErrors first) {
+  constexpr double roundings = 8;
+  Passing const before{.sum = 0, .d = unit_roundoff * kernel.tap_sum};
+  auto const error = [&](Target target, double added) {
+    RoundingOfFilters const filters =
+        rounding_of_filters(chain, repeated.sections, before, &Size::increment, target);
+    return roundings * (filters.error + roundings * unit_roundoff * added);
+  };
+  return {.gain = error({0, 1}, first.gain), .distance = error({1, 0}, first.distance)};
 }
 
 struct States {
@@ -72,22 +89,38 @@ void BoundComputation::compute(BoundKey const& key, BoundRecord& record) {
   KernelPart const kernel = read_kernel(view_, key.kernel, has_kernel_before(view_, key.axis));
   if (kernel.count > 0) follow_response(chain_, kernel, joint_);
   Response const& run = kernel.count > 0 ? joint_ : alone_;
-  RunErrors const errors = errors_of_run(chain_, kernel, run);
   bool const is_tight = run.ended && chain_.is_certain;
 
   record = {};
   record.flags = is_tight ? 0 : axim_bound_majorant;
   record.cycles = run.cycles;
-  record.gain_low = below(run.gain, errors.gain);
-  record.gain_high = above(run.gain, errors.gain + run.gain_rest);
-  double const left = errors.distance + run.distance_rest;
-  if (chain_.final_value == 1) record.distance_high = above(run.distance, left);
-  if (chain_.final_value > 0) {
-    record.overshoot_high = above(larger(run.highest, 0) / chain_.final_value, left / chain_.final_value);
-  }
   record.radius_high = largest_radius(chain_);
+  add_response(kernel, run, record);
   if (chain_.is_certain) add_arithmetic(kernel, run, record);
   set_place(view_, key, record);
+}
+
+void BoundComputation::add_response(KernelPart const& kernel, Response const& run, BoundRecord& record) {
+  RunErrors errors = errors_of_run(chain_, kernel, run);
+  bool const is_wide = run.ended && 2 * errors.gain > widest * run.gain;
+  if (is_wide) {
+    repeat_response(chain_, kernel, run.cycles, repeated_);
+    errors = errors_of_repeated(chain_, kernel, repeated_, errors);
+  }
+  Response const& sums = is_wide ? repeated_ : run;
+  // Of the sums themselves.
+  constexpr double of_sums = 4 * unit_roundoff;
+  if (!is_exact(chain_, kernel)) {
+    errors.gain += of_sums * sums.gain;
+    errors.distance += of_sums * sums.distance;
+  }
+  record.gain_low = below(sums.gain, errors.gain);
+  record.gain_high = above(sums.gain, errors.gain + sums.gain_rest);
+  double const left = errors.distance + sums.distance_rest;
+  if (chain_.final_value == 1) record.distance_high = above(sums.distance, left);
+  if (chain_.final_value > 0) {
+    record.overshoot_high = above(larger(sums.highest, 0) / chain_.final_value, left / chain_.final_value);
+  }
 }
 
 void BoundComputation::add_arithmetic(KernelPart const& kernel, Response const& run,

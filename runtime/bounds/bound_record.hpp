@@ -71,6 +71,7 @@ class BoundComputation {
 
  private:
   void read_filters(BoundKey const& key);
+  void add_response(KernelPart const& kernel, Response const& run, BoundRecord& record);
   void add_arithmetic(KernelPart const& kernel, Response const& run, BoundRecord& record) const;
 
   ImageView const& view_;
@@ -78,6 +79,7 @@ class BoundComputation {
   Chain chain_;
   Response alone_;
   Response joint_;
+  Response repeated_;
 };
 
 /// The largest increment of a setpoint within P-AXIS-00212, in position units per cycle.

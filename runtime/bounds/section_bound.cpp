@@ -2,6 +2,7 @@
 
 #include "runtime/bounds/outward.hpp"
 #include "runtime/bounds/pole_radius.hpp"
+#include "runtime/twofold.hpp"
 
 namespace axisc::runtime::bounds {
 namespace {
@@ -84,7 +85,7 @@ double scale_of(double k) {
 }  // namespace
 
 SectionBound bound_section(double p, double q, double k, double b, bool blocks_constant) {
-  double const g = p + q;
+  auto const [g, lost_of_g] = exact_sum(p, q);
   double const s = scale_of(k);
   Walk of_e{.e = 1, .r = 0};
   Walk of_r{.e = 0, .r = 1};
@@ -118,6 +119,7 @@ SectionBound bound_section(double p, double q, double k, double b, bool blocks_c
   bound.g = g;
   bound.k = k;
   bound.b = b;
+  bound.lost_of_g = lost_of_g;
   bound.ee = all.ee * outwards;
   bound.er = all.er / s * outwards;
   bound.re = all.re * s * outwards;

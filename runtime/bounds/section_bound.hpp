@@ -12,6 +12,7 @@ inline constexpr uint32_t longest_walk = 1U << 21U;
 ///     e' = e + r,   r' = r - b r - k e',   (e, r)' = A (e, r),   A = [[1, 1], [-k, 1 - k - b]].
 struct SectionBound {
   double p, g, k, b;  ///< as stored; g = p + q
+  double lost_of_g;   ///< what rounding took from it
 
   /// Upper bounds of the sum of |A^n| over n = 0, 1, ..., element by element.
   double ee, er, re, rr;

@@ -88,6 +88,19 @@ def all_agree(path):
         expect(done.returncode == 0, f"{command} {path}", done)
 
 
+def bounds_of(path):
+    """Flags, gain_low and gain_high of each record."""
+    with open(path, "rb") as file:
+        image = file.read()
+    first, count = section(image, 20)
+    return [struct.unpack_from("<12xI8x2d", image, first + 128 * i) for i in range(count)]
+
+
+def is_tight(path):
+    for flags, low, high in bounds_of(path):
+        expect(flags or high - low <= 1e-9 * high, f"{path}: the gain is within {low} ... {high} only")
+
+
 def samples():
     for sample in SAMPLES:
         name = sample.replace("/", "-")
@@ -134,6 +147,7 @@ def random_lists():
         if image:
             found += 1
             all_agree(image)
+            is_tight(image)
     expect(False, f"only {found} of {LISTS} random lists were compiled")
 
 
@@ -156,11 +170,25 @@ def next_to_half_the_sampling_rate():
         image = compiled("fast", path, "--quiet", "--cycle-time", cycle_time)
         expect(image is not None, f"{lines[:2]} is not compiled")
         all_agree(image)
-        with open(image, "rb") as file:
-            octets = file.read()
-        flags, low, high = struct.unpack_from("<12xI8x2d", octets, section(octets, 20)[0])
+        [(flags, low, high)] = bounds_of(image)
         expect(flags == 1, f"{lines[:2]} is no majorant")
         expect(gain is None or low <= gain <= high, f"{lines[:2]}: gain {gain} is outside {low} ... {high}")
+
+
+def next_to_nothing():
+    """A band-pass behind a slow PT2 lets a millionth through: roundings count more than what is left."""
+    path = os.path.join(FOLDER, "nothing.lis")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("kopf.achs_nr 1\nkenngr.achs_typ 1\ngetriebe[0].dynamik.vb_max 803628\n"
+                   "getriebe[0].dynamik.a_max 3000\nfilter[0].type PT2\nfilter[0].enable 1\n"
+                   "filter[0].order 2\nfilter[0].time_constant 39285\nfilter[1].type BANDPASS\nfilter[1].enable 1\n"
+                   "filter[1].fg_f0 125.2\nfilter[1].order 3\nfilter[1].guete 8.94\nfilter[1].prototype 2\n"
+                   "filter_fir.enable 1\nfilter_fir.type 2\nfilter_fir.order 98\nEnde\n")
+    image = compiled("nothing", path, "--quiet", "--cycle-time", "2ms")
+    expect(image is not None, "the list of the small gain is not compiled")
+    expect(0 < bounds_of(image)[-1][2] < 1e-5, f"the gain is not small: {bounds_of(image)}")
+    all_agree(image)
+    is_tight(image)
 
 
 def shortest_fade():
@@ -245,6 +273,7 @@ def main():
     random_lists()
     mutations()
     next_to_half_the_sampling_rate()
+    next_to_nothing()
     shortest_fade()
     short_fade()
     print("certificates:", "FAILED" if failures else "all agree")

@@ -135,6 +135,26 @@ TEST_CASE("the gain of a filter that blocks the constant part is enclosed", "[bo
   }
 }
 
+TEST_CASE("a gain next to nothing is enclosed as tightly", "[bounds]") {
+  // What passes the first filter the second one takes away: roundings of the first count more than what is left.
+  auto const bandpass = [](double frequency) { return exact::bandpass(frequency, T, 9).record(); };
+  FilterRecord const shared = exact::with_share(exact::bandstop(31, T, 2), 0.37).record();
+  std::vector<std::vector<FilterRecord>> const chains = {
+      {bandpass(0.5), bandpass(180)},
+      {bandpass(2), exact::delay(9).record(), bandpass(400)},
+      {bandpass(0.25), shared, bandpass(440)},
+      {exact::allpass(0.4, T, 4).record(), bandpass(0.5), exact::highpass(430, T, 0.7).record()}};
+  for (auto const& chain : chains) {
+    BoundRecord const bound = bound_of(chain);
+    Sums const sums = sums_of(chain, 3 * bound.cycles);
+    CAPTURE(chain.size(), bound.cycles, sums.gain);
+    CHECK(bound.flags == 0);
+    CHECK(bound.gain_low <= sums.gain);
+    CHECK(bound.gain_high >= sums.gain);
+    CHECK(bound.gain_high - bound.gain_low <= tightly * sums.gain);
+  }
+}
+
 TEST_CASE("a kernel counts together with the filters, not as a product", "[bounds]") {
   // A moving average over a period of the ringing takes most of it away.
   ImageRecord image = image_of({exact::lowpass(50, T, 8).record()});
