@@ -31,6 +31,17 @@ struct Chain {
   bool is_certain;        ///< every section shrinks
 };
 
+/// As an image stores it.
+struct StoredSection {
+  double p, q, k, b;
+};
+
+/// The signal that passes unchanged.
+void clear(Chain& chain);
+/// Puts a filter behind the others; `part` says how many sections there are. Cost: that of bound_section for
+/// each.
+void append(Chain& chain, FilterPart part, StoredSection const* sections);
+
 /// Sections in use are those of the `count` filters from `first` on. Expects an image that was accepted.
 /// Cost: that of bound_section for each section.
 void read_chain(ImageView const& view, uint32_t first, uint32_t count, Chain& chain);

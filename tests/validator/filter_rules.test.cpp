@@ -453,7 +453,7 @@ TEST_CASE("AX6005: filters too slow to sum up their peak gain get an upper bound
   // After ten seconds this notch has hardly begun; its peak gain is 3.357.
   Run const run(
       filter("BANDSTOP", "3", "filter[0].prototype BUTTERWORTH\nfilter[0].fg_f0 0.05\nfilter[0].guete 10\n"),
-      {.cycle_us = 125, .pedantic = true, .disabled = {Code{6003}}});
+      {.cycle_us = 125, .pedantic = true, .disabled = {Code{6003}, Code{6008}}});
   REQUIRE(run.lines() == Lines{"1 AX6005", "3 AX6004"});
   Finding const& finding = run.findings()[0];
   CHECK(english(finding.message).find("by a factor of up to ") != std::string::npos);
@@ -461,6 +461,48 @@ TEST_CASE("AX6005: filters too slow to sum up their peak gain get an upper bound
   std::string const before = "peak gain Σ|h| ≤ ";
   REQUIRE(label.rfind(before, 0) == 0);
   CHECK(std::stod(label.substr(before.size())) > 3.357);
+}
+
+TEST_CASE("AX6008: chains about which an image proves less than usual") {
+  Options const pedantic{.pedantic = true};
+  auto const slow = [](std::string const& frequency) {
+    return filter("LOWPASS", "1", "filter[0].fg_f0 " + frequency + "\n");
+  };
+  // One pole shrinks to 2^-24 within 2^21 cycles from 24 ln 2/(2 π T 2^21) = 0.001262 Hz on.
+  CHECK(lines(slow("0.00124"), pedantic) == Lines{"1 AX6003", "4 AX6008"});
+  CHECK(lines(slow("0.00128"), pedantic) == Lines{"1 AX6003"});
+  CHECK(lines(slow("0.00124")) == Lines{"1 AX6003"});
+  CHECK(lines(slow("0.01262"), {.cycle_us = 100, .pedantic = true}) == Lines{"1 AX6003", "4 AX6008"});
+  CHECK(lines(slow("1e-7"), pedantic) == Lines{"1 AX6001"});
+  CHECK(lines(interface("LOWPASS", "1", "filter[0].fg_f0 0.00124\n"), pedantic) == Lines{"4 AX6008"});
+  // The slowest filter of a chain is meant; at the default frequency its `enable`.
+  CHECK(lines(slow("0.00124") + "filter[1].enable 1\nfilter[1].order 1\n", pedantic) ==
+        Lines{"1 AX6003", "4 AX6008"});
+  // Poles at -1 + 2/tan(π f T), twice: rounding of the states counts for more than 2^-25.
+  Options const without_gain{.pedantic = true, .disabled = {Code{6005}}};
+  auto const fast = [&](std::string const& frequency) {
+    return lines(filter("LOWPASS", "2", "filter[0].fg_f0 " + frequency + "\n"), without_gain);
+  };
+  CHECK(fast("499.99") == Lines{"2 AX6008", "4 AX6006"});
+  CHECK(fast("499") == Lines{"4 AX6006"});
+}
+
+TEST_CASE("AX6008 says what is not claimed") {
+  Options const options{.pedantic = true, .disabled = {Code{6003}, Code{6005}, Code{6007}}};
+  // Three equal poles leave (x^2/2 + x + 1) e^-x of a step: 2^-44 at x = 37.1, in 2^22 cycles for 0.00141 Hz.
+  auto const three = [](std::string const& frequency) {
+    std::string list;
+    for (char const i : {'0', '1', '2'}) {
+      std::string const name = std::string("filter[") + i + "].";
+      list += name + "enable 1\n" + name + "order 1\n" + name + "fg_f0 " + frequency + "\n";
+    }
+    return list;
+  };
+  Run const loose(three("0.0013"), options);
+  CHECK(english(*loose.only().label) == "not at rest after 4194304 cycles");
+  CHECK(lines(three("0.0016"), options).empty());
+  Run const alone(filter("LOWPASS", "1", "filter[0].fg_f0 0.001\n"), options);
+  CHECK(english(*alone.only().label) == "that rounding lets it come to rest is not proved");
 }
 
 TEST_CASE("one mistake, one message") {

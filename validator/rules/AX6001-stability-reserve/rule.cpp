@@ -2,6 +2,7 @@
 
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/proved_chain.hpp"
 #include "validator/rules/sentences.hpp"
 
 #include <algorithm>
@@ -32,8 +33,6 @@ constexpr Sentence help_time{"shorten `{parameter}`", "`{parameter}` verkürzen"
 
 namespace axisc::validator::checks {
 namespace {
-
-constexpr double smallest_reserve = 1e-9;
 
 /// The numbers that an image stores decide. Only close to the limits do those of the quick design differ.
 bool can_be_stored(FilterContext const& context, design::FilterDesign const& quick) {
