@@ -44,8 +44,7 @@ static void open_image(size_t size) {
   if (!same) unreadable("it was changed after it was written");
   for (uint32_t i = 0; i < u32(image + 28); ++i) {
     const uint8_t *entry = image + header + 32 * (size_t)i;
-    uint64_t offset = u64(entry + 8), bytes = u64(entry + 16); uint32_t kind = u32(entry);
-    if (kind >= 32) continue;
+    uint64_t offset = u64(entry + 8), bytes = u64(entry + 16); uint32_t kind = u32(entry); if (kind >= 32) continue;
     uint64_t records = (uint64_t)u32(entry + 24) * u32(entry + 28);
     if (offset > total || bytes > total - offset || bytes != records) unreadable("a section is outside the image");
     table[kind] = image + offset; stride[kind] = u32(entry + 24); count[kind] = u32(entry + 28);
@@ -87,37 +86,34 @@ static void walk_on(walk *w, double k, double b) {
   w->sum_e += fabs(w->e); w->sum_r += fabs(r); w->e += r; w->r = (r - b * r) - k * w->e; w->change += fabs(w->r - r);
 }
 static double norm(matrix x) { return fmax(fabs(x.a[0]) + fabs(x.a[1]), fabs(x.a[2]) + fabs(x.a[3])); }
-static matrix times(matrix x, matrix y) {
-  matrix z; for (int i = 0; i < 4; ++i) z.a[i] = x.a[i & 2] * y.a[i & 1] + x.a[i | 1] * y.a[i | 2];
-  return z;
-}
 static matrix with_rest(matrix sum, double n) {
   double f = n / (1 - n) * OUT, of_e = (sum.a[0] + sum.a[1]) * f, of_r = (sum.a[2] + sum.a[3]) * f;
   return (matrix){{sum.a[0] + of_e, sum.a[1] + of_e, sum.a[2] + of_r, sum.a[3] + of_r}};
 }
-/* The sum of all |A^n| from that of the first, where the walk did not end. */
-static matrix doubled(matrix sum, matrix power) {
-  double error = 12 * U * norm(sum) * norm(sum);
-  for (int doublings = 0; doublings < 64; ++doublings) {
-    matrix most = power; for (int i = 0; i < 4; ++i) most.a[i] = fabs(most.a[i]) + error;
-    double n = norm(most); if (n <= 0x1p-4) return with_rest(sum, n);
-    matrix added = times(sum, most); for (int i = 0; i < 4; ++i) sum.a[i] += added.a[i];
-    error = 2 * n * error + 4 * U * n * n; power = times(power, power);
-  }
-  return (matrix){{0x1p200, 0x1p200, 0x1p200, 0x1p200}};
+/* s, a power of two, with k/4 < s^2 <= k */
+static double root_below(double k) { int exponent; frexp(k, &exponent); return ldexp(1, (int)floor((exponent - 1) / 2.0)); }
+/* The sums of all |A^n| from the poles alone. */
+static matrix from_poles(double k, double b) {
+  double R = 1, mirrored = (4 - k) - 2 * b, near = fmin(k, mirrored), square = (near + b) * (near + b) / 4;
+  for (double step = 0.5; step >= 0x1p-40; step /= 2) if (poles_are_within(R - step, k, b)) R -= step;
+  double rest = 1 - R, doubt = 0x1p-48 * (near + square), least = (near - square) - doubt, sum = 1 / (rest * rest);
+  if (least > 0) sum = 1 / (rest * fmax(rest, root_below(least)));
+  else if (square - near > doubt && b <= 1) sum = 1 / near;
+  double of_r = (1 / rest + 2 * root_below(k) * sum) * OUT;
+  if (!(rest > 0)) return (matrix){{0x1p200, 0x1p200, 0x1p200, 0x1p200}};
+  return (matrix){{1 + of_r, sum * OUT, k * sum * OUT, of_r}};
 }
 static section read_section(const uint8_t *at, int blocks) {
-  double p = f64(at), q = f64(at + 8), g = p + q, k = f64(at + 16), b = f64(at + 24), s; int exponent, m = 0;
+  double p = f64(at), q = f64(at + 8), g = p + q, k = f64(at + 16), b = f64(at + 24), s = root_below(k); int m = 0;
   if (!(k > 0 && b > 0 && b < 2 && 4 - k - 2 * b > 0)) unreadable("a section is not stable");
-  frexp(k, &exponent); s = ldexp(1, (int)floor((exponent - 1) / 2.0));
   walk of_e = {1, 0, 0, 0, 0}, of_r = {0, 1, 0, 0, 0}, of_d = {p, g - k * p - b * p, 0, 0, 0}; matrix power;
   do {
     for (int i = 0; i < 16; ++i, ++m) walk_on(&of_e, k, b), walk_on(&of_r, k, b), walk_on(&of_d, k, b);
     power = (matrix){{of_e.e, of_r.e * s, of_e.r / s, of_r.r}};
   } while (norm(power) > 0x1p-24 && m < 1 << 21);
   int ended = norm(power) <= 0x1p-24;
-  matrix all = {{of_e.sum_e, of_r.sum_e * s, of_e.sum_r / s, of_r.sum_r}};
-  all = ended ? with_rest(all, 0x1p-23) : doubled(all, power);
+  matrix all = with_rest((matrix){{of_e.sum_e, of_r.sum_e * s, of_e.sum_r / s, of_r.sum_r}}, 0x1p-23), poles = {{0}};
+  if (!ended) poles = from_poles(k, b), all = (matrix){{poles.a[0], poles.a[1] * s, poles.a[2] / s, poles.a[3]}};
   double row_e = (all.a[0] + all.a[1]) * (12 * U), row_r = (all.a[2] + all.a[3]) * (12 * U);
   double column_e = all.a[0] + all.a[2], column_r = all.a[1] + all.a[3], walked = of_d.sum_e * s + of_d.sum_r;
   section z = {.p = p, .g = g, .lost_of_g = lost_of_sum(p, q), .k = k, .b = b, .scale = s};
@@ -126,6 +122,11 @@ static section read_section(const uint8_t *at, int blocks) {
   z.change = (of_r.change + 2 * (row_r * column_r + (z.re * fabs(of_r.e) + z.rr * fabs(of_r.r)))) * OUT;
   z.excess = (of_d.sum_e + row_e / s * walked + z.ee * fabs(of_d.e) + z.er * fabs(of_d.r)) * OUT;
   z.following = (of_d.sum_r + row_r * walked + z.re * fabs(of_d.e) + z.rr * fabs(of_d.r)) * OUT;
+  if (fmax(row_e, row_r) > 0x1p-20) {
+    double r = fabs(g - k * p - b * p) + 4 * U * (fabs(g) + (k + b) * fabs(p)); poles = from_poles(k, b);
+    z.ee = poles.a[0]; z.er = poles.a[1]; z.re = poles.a[2]; z.rr = poles.a[3]; z.change = 2 * z.rr;
+    z.excess = z.ee * fabs(p) + z.er * r; z.following = z.re * fabs(p) + z.rr * r;
+  }
   z.passed = (blocks ? fabs(p) : fabs(1 + p)) + z.following;
   z.shrinking = ended && fmax(row_e, row_r) <= 0x1p-25 ? m : 0; return z;
 }
@@ -235,12 +236,11 @@ static left rest_of_chain(response *to) {
 static void add_exactly(double sum[2], double x) { sum[1] += lost_of_sum(sum[0], x); sum[0] += x; }
 static void respond(response *to) {
   double gain[2] = {0, 0}, distance[2] = {0, 0}, change = 0, last = 0;
-  left rest = {0, 0}; int n = 0; memset(to, 0, sizeof *to); memset(state, 0, sizeof state);
+  left rest = {0, 0}; int n = 0; memset(to, 0, sizeof *to); memset(state, 0, sizeof state); to->highest = -final_value;
   for (int i = 0; i < filter_count; ++i) {
     ring_at[i] = 0;
     for (int k = 0; k < filters[i].delay; ++k) ring[i][k] = (signal){{-filters[i].base, 0}, {0, 0}};
   }
-  to->highest = -final_value;
   while (!to->ended && n < 1 << 22) {
     for (int end = n + 64; n < end; ++n) {
       kept all = {n == 0 ? 1 : tail(n - 1), 0}, passed = {-tail(n), 0};

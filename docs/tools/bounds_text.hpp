@@ -42,9 +42,15 @@ re, rr: the sums of |e| and of |r| from the state (1, 0) are ee and re, from (0,
     passed    = |1 + p| + following;  |p| + following where the constant part is blocked
 
 with e1 ... r3 the states after m cycles. The section is certain if the walk ended, and both w are at most 2^-25: then m cycles shrink
-the scaled states to 2^-23, roundings included. Where 2^21 cycles do not suffice, the sum is doubled instead: with P the matrix
-above and x = 12 u |F|^2 (|.| the larger sum of magnitudes of a row), while P + x, in magnitudes, has |P + x| > 2^-4:
-`F = F + F (P + x)`, `x = 2 |P + x| x + 4 u |P + x|^2`, `P = P P`; then n = |P + x|.
+the scaled states to 2^-23, roundings included. Where 2^21 cycles do not suffice, or a w exceeds 2^-20, the poles alone give the
+sums. With R of `radius_high`, of this section, t = 1 - R, h the smaller of k and 4 - k - 2b, f = (h + b)^2/4, v = 2^-48 (h + f), and the largest
+powers of two y and z with y^2 <= h - f - v and z^2 <= k:
+
+    U = 1/(t max(t, y))  where h - f > v;   1/h  where f - h > v and b <= 1;   1/t^2  else
+    ee = 1 + rr      er = U O      re = k U O      rr = (1/t + 2 z U) O
+
+Without an end they take the place of F, in scaled form, and the rest is as above. With such a w all is theirs: change = 2 rr,
+excess = ee |p| + er r, following = re |p| + rr r, r = |g - k p - b p| + 4 u (|g| + (k + b) |p|). If R is 1, all four are 2^200.
 
 `radius_high` is R with |1 - b| <= R^2 and |2 - k - b| R <= R^2 + 1 - b for all sections, decided without rounding, or 0 where k = b = 1.
 

@@ -21,11 +21,11 @@ inline constexpr uint64_t dropped_bits = 0x1FFF;  ///< the last 13 of 53
 }
 
 /// An upper bound of a value that is computed with `error` at most; the value itself where nothing was
-/// rounded.
+/// rounded. What is not a number stays that: nothing is claimed then, and loaders refuse it.
 [[nodiscard]] constexpr double above(double value, double error) {
   if (error == 0) return up_to_40_bits(value);
   double const bound = value + error;
-  return bound > 0 ? up_to_40_bits(bound * (1 + 0x1p-41)) : 0;
+  return bound <= 0 ? 0 : up_to_40_bits(bound * (1 + 0x1p-41));
 }
 
 /// A lower bound, 0 at least.

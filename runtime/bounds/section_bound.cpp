@@ -13,6 +13,8 @@ constexpr double shrunk_with_rounding = 0x1p-23;
 /// What roundings of a cycle add to the scaled states, for every unit of their sum.
 constexpr double rounding_of_cycle = 12 * unit_roundoff;
 constexpr double most_rounding = 0x1p-25;
+/// Beyond this a walk says nothing: outwards does not cover the roundings of roundings.
+constexpr double hiding = 0x1p-20;
 constexpr double outwards = 1 + 0x1p-18;
 
 /// States that are left alone, and the sums of their magnitudes.
@@ -35,15 +37,6 @@ struct Matrix {
   double ee, er, re, rr;
 };
 
-Matrix product(Matrix const& x, Matrix const& y) {
-  return {x.ee * y.ee + x.er * y.re, x.ee * y.er + x.er * y.rr, x.re * y.ee + x.rr * y.re,
-          x.re * y.er + x.rr * y.rr};
-}
-
-Matrix magnitudes(Matrix const& x, double more) {
-  return {magnitude(x.ee) + more, magnitude(x.er) + more, magnitude(x.re) + more, magnitude(x.rr) + more};
-}
-
 double row_norm(Matrix const& x) {
   return larger(magnitude(x.ee) + magnitude(x.er), magnitude(x.re) + magnitude(x.rr));
 }
@@ -57,29 +50,53 @@ Matrix with_rest(Matrix const& sum, double norm) {
   return {sum.ee + of_e, sum.er + of_e, sum.re + of_r, sum.rr + of_r};
 }
 
-/// Where a walk did not end: doubling m until A^m is small,
-///     sum over n < 2m of |A^n|  <=  (sum over n < m of |A^n|) (1 + |A^m|).
-Matrix doubled(Matrix sum, Matrix power) {
-  constexpr uint32_t most_doublings = 64;
-  constexpr double small = 0x1p-4;
-  double error = rounding_of_cycle * row_norm(sum) * row_norm(sum);
-  for (uint32_t i = 0; i < most_doublings; ++i) {
-    Matrix const most = magnitudes(power, error);
-    double const norm = row_norm(most);
-    if (norm <= small) return with_rest(sum, norm);
-    Matrix const added = product(sum, most);
-    sum = {sum.ee + added.ee, sum.er + added.er, sum.re + added.re, sum.rr + added.rr};
-    error = 2 * norm * error + 4 * unit_roundoff * norm * norm;
-    power = product(power, power);
-  }
-  constexpr double huge = 0x1p200;
-  return {huge, huge, huge, huge};
-}
-
 /// A power of two s with k/4 < s^2 <= k: scaling with it rounds nothing.
 double scale_of(double k) {
   uint64_t const exponent = std::bit_cast<uint64_t>(k) >> 52U;
   return std::bit_cast<double>(((exponent + 1023) / 2) << 52U);
+}
+
+/// With the poles v and w, within the radius R, U(n) = sum of v^i w^j over i + j = n - 1 is what e is n cycles
+/// after (0, 1). An upper bound of the sum of |U|: 1/k where U >= 0, the same mirrored where its signs alternate;
+/// else |U(n)| <= R^(n-1) min(n, 1/sin), with the sine of a complex pole's angle.
+double sum_of_powers(double k, double b, double reserve) {
+  double const mirrored = (4 - k) - 2 * b;
+  double const near = k < mirrored ? k : mirrored;  // of 1 and -1
+  double const square = (near + b) * (near + b) / 4;
+  double const least = (near - square) - 0x1p-48 * (near + square);  // of the imaginary part's square
+  if (least > 0) return 1 / (reserve * larger(reserve, scale_of(least)));
+  bool const are_real = (square - near) > 0x1p-48 * (near + square);
+  return are_real && b <= 1 ? 1 / near : 1 / (reserve * reserve);
+}
+
+/// From the poles alone, for sections whose walk says too little. With the pole v for which |1 - v| <= sqrt(k),
+///     e(n) = w^(n-1) + v (1 - w) U(n-1) from (1, 0), in some order of both,   r(n) = -k U(n),
+///     e(n) = U(n) from (0, 1),                                  r(n) = v^n + (w - 1) U(n).
+Matrix bound_from_poles(double k, double b, double radius) {
+  constexpr double huge = 0x1p200;
+  double const reserve = 1 - radius;
+  if (!(reserve > 0)) return {huge, huge, huge, huge};
+  double const powers = sum_of_powers(k, b, reserve);
+  double const root = 2 * scale_of(k);
+  double const of_r = (1 / reserve + root * powers) * outwards;
+  return {.ee = 1 + of_r, .er = powers * outwards, .re = k * powers * outwards, .rr = of_r};
+}
+
+SectionBound from_poles(SectionBound bound, bool blocks_constant) {
+  Matrix const all = bound_from_poles(bound.k, bound.b, bound.radius);
+  double const p = magnitude(bound.p);
+  double const passing = (bound.k + bound.b) * p;
+  double const r = magnitude(bound.g - bound.k * bound.p - bound.b * bound.p) +
+                   4 * unit_roundoff * (magnitude(bound.g) + passing);
+  bound.ee = all.ee;
+  bound.er = all.er;
+  bound.re = all.re;
+  bound.rr = all.rr;
+  bound.change = 2 * all.rr;
+  bound.excess = all.ee * p + all.er * r;
+  bound.following = all.re * p + all.rr * r;
+  bound.passed = (blocks_constant ? p : magnitude(1 + bound.p)) + bound.following;
+  return bound;
 }
 
 }  // namespace
@@ -104,7 +121,12 @@ SectionBound bound_section(double p, double q, double k, double b, bool blocks_c
 
   bool const ended = row_norm(power) <= shrunk;
   Matrix const first{of_e.sum_e, of_r.sum_e * s, of_e.sum_r / s, of_r.sum_r};
-  Matrix all = ended ? with_rest(first, shrunk_with_rounding) : doubled(first, power);
+  double const radius = smallest_radius(k, b);
+  Matrix all = with_rest(first, shrunk_with_rounding);
+  if (!ended) {
+    Matrix const sums = bound_from_poles(k, b, radius);
+    all = {sums.ee, sums.er * s, sums.re / s, sums.rr};
+  }
   // Roundings enter as states do: what they add to the sums is at most 12 u (row of e or r) (column).
   double const row_e = (all.ee + all.er) * rounding_of_cycle;
   double const row_r = (all.re + all.rr) * rounding_of_cycle;
@@ -120,6 +142,9 @@ SectionBound bound_section(double p, double q, double k, double b, bool blocks_c
   bound.k = k;
   bound.b = b;
   bound.lost_of_g = lost_of_g;
+  bound.scale = s;
+  bound.radius = radius;
+  if (larger(row_e, row_r) > hiding) return from_poles(bound, blocks_constant);
   bound.ee = all.ee * outwards;
   bound.er = all.er / s * outwards;
   bound.re = all.re * s * outwards;
@@ -133,8 +158,6 @@ SectionBound bound_section(double p, double q, double k, double b, bool blocks_c
   bound.following = (of_impulse.sum_r + row_r * walked + bound.re * left_e + bound.rr * left_r) * outwards;
   bound.passed = (blocks_constant ? magnitude(p) : magnitude(1 + p)) + bound.following;
   bound.shrinking = is_certain ? cycles : 0;
-  bound.scale = s;
-  bound.radius = smallest_radius(k, b);
   return bound;
 }
 

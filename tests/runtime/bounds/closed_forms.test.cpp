@@ -182,6 +182,25 @@ TEST_CASE("poles are within a radius, exactly", "[bounds]") {
   CHECK(smallest_radius(k, b) == 1 - 0x1p-20);
 }
 
+TEST_CASE("bounds of what no walk can follow are true, and of a sensible size", "[bounds]") {
+  // |H| is 1 at half the sampling rate, or at 0 Hz: some setpoint is amplified as much. Three sections in series.
+  auto const three = [](FilterRecord const& filter) { return std::vector<FilterRecord>(3, filter); };
+  for (double const frequency : {1e-4, 2e-6}) {
+    BoundRecord const bound = bound_of(three(exact::highpass(frequency, T, 0.6).record()));
+    CAPTURE(frequency);
+    CHECK(bound.flags == 1);
+    CHECK(bound.gain_high >= 1);
+    CHECK(bound.gain_high < 1e13);
+  }
+  for (double const frequency : {499.99, 499.9993}) {
+    BoundRecord const bound = bound_of(three(exact::lowpass(frequency, T, 0.6).record()));
+    CAPTURE(frequency);
+    CHECK(bound.flags == 1);
+    CHECK(bound.gain_high >= 1);
+    CHECK(bound.gain_high < 1e13);
+  }
+}
+
 TEST_CASE("a filter that takes too long to follow has bounds that are true and say so", "[bounds]") {
   FilterRecord const filter = exact::bandstop(Quad{0.002}, T, 4).record();
   BoundRecord const bound = bound_of({filter});
