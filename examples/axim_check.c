@@ -169,7 +169,7 @@ static void read_kernel(uint32_t kernel, int is_before) {
 }
 
 /* ---- B3: the response ---- */
-/* A number, and what roundings took from it in a run that keeps that, of `keep` cycles; `keep` is 0 in others. */
+/* A number, and what roundings took from it in a run of `keep` cycles; other runs (0) do not keep that. */
 typedef struct { double value, lost; } kept;
 static int keep;
 static kept plus(kept a, kept b) {

@@ -56,9 +56,9 @@ double scale_of(double k) {
   return std::bit_cast<double>(((exponent + 1023) / 2) << 52U);
 }
 
-/// With the poles v and w, within the radius R, U(n) = sum of v^i w^j over i + j = n - 1 is what e is n cycles
-/// after (0, 1). An upper bound of the sum of |U|: 1/k where U >= 0, the same mirrored where its signs alternate;
-/// else |U(n)| <= R^(n-1) min(n, 1/sin), with the sine of a complex pole's angle.
+/// With the poles v and w, within the radius R, U(n) = sum of v^i w^j over i + j = n - 1 is what e is n
+/// cycles after (0, 1). An upper bound of the sum of |U|: 1/k where U >= 0, the same mirrored where its signs
+/// alternate; else |U(n)| <= R^(n-1) min(n, 1/sin), with the sine of a complex pole's angle.
 double sum_of_powers(double k, double b, double reserve) {
   double const mirrored = (4 - k) - 2 * b;
   double const near = k < mirrored ? k : mirrored;  // of 1 and -1
@@ -69,9 +69,9 @@ double sum_of_powers(double k, double b, double reserve) {
   return are_real && b <= 1 ? 1 / near : 1 / (reserve * reserve);
 }
 
-/// From the poles alone, for sections whose walk says too little. With the pole v for which |1 - v| <= sqrt(k),
-///     e(n) = w^(n-1) + v (1 - w) U(n-1) from (1, 0), in some order of both,   r(n) = -k U(n),
-///     e(n) = U(n) from (0, 1),                                  r(n) = v^n + (w - 1) U(n).
+/// From the poles alone, for sections whose walk says too little. With |1 - w| <= sqrt(k), true of one pole,
+///     e(n) = w^(n-1) + v (1 - w) U(n-1) from (1, 0),   r(n) = -k U(n),
+///     e(n) = U(n) from (0, 1),   r(n) = v^n + (w - 1) U(n).
 Matrix bound_from_poles(double k, double b, double radius) {
   constexpr double huge = 0x1p200;
   double const reserve = 1 - radius;

@@ -136,7 +136,7 @@ TEST_CASE("the gain of a filter that blocks the constant part is enclosed", "[bo
 }
 
 TEST_CASE("a gain next to nothing is enclosed as tightly", "[bounds]") {
-  // What passes the first filter the second one takes away: roundings of the first count more than what is left.
+  // What passes the first filter the second one takes away: roundings of the first count more than the rest.
   auto const bandpass = [](double frequency) { return exact::bandpass(frequency, T, 9).record(); };
   FilterRecord const shared = exact::with_share(exact::bandstop(31, T, 2), 0.37).record();
   std::vector<std::vector<FilterRecord>> const chains = {
@@ -183,7 +183,7 @@ TEST_CASE("poles are within a radius, exactly", "[bounds]") {
 }
 
 TEST_CASE("bounds of what no walk can follow are true, and of a sensible size", "[bounds]") {
-  // |H| is 1 at half the sampling rate, or at 0 Hz: some setpoint is amplified as much. Three sections in series.
+  // |H| is 1 at half the sampling rate, or at 0 Hz: some setpoint is amplified as much. Three are in series.
   auto const three = [](FilterRecord const& filter) { return std::vector<FilterRecord>(3, filter); };
   for (double const frequency : {1e-4, 2e-6}) {
     BoundRecord const bound = bound_of(three(exact::highpass(frequency, T, 0.6).record()));
