@@ -18,8 +18,8 @@ enum class Proof : std::uint8_t {
   uncertain,  ///< neither rounding nor states nor standstill are bounded
 };
 
-/// As the record of the chain without a kernel says it; tight where there will be none. `quick` are designs of
-/// `specifications`. Cost: none to speak of unless a pole is close to the unit circle; then that of the exact
+/// As the record of the chain without a kernel says it; tight where there will be none. `quick` are designs
+/// of `specifications`. Cost: none to speak of unless a pole is close to the unit circle; then that of the exact
 /// designs and of the bounds, up to 10 ns per section in four million cycles.
 [[nodiscard]] Proof proof_of(std::span<design::FilterDesign const> quick,
                              std::span<design::FilterSpecification const> specifications,
