@@ -19,8 +19,8 @@ enum class Proof : std::uint8_t {
 };
 
 /// As the record of the chain without a kernel says it; tight where there will be none. `quick` are designs
-/// of `specifications`. Cost: none to speak of unless a pole is close to the unit circle; then that of the exact
-/// designs and of the bounds, up to 10 ns per section in four million cycles.
+/// of `specifications`. Cost: none to speak of unless a pole is close to the unit circle; then that of the
+/// exact designs and of the bounds, up to 10 ns per section in four million cycles.
 [[nodiscard]] Proof proof_of(std::span<design::FilterDesign const> quick,
                              std::span<design::FilterSpecification const> specifications,
                              design::CycleTime cycle_time);
