@@ -187,7 +187,13 @@ TEST_CASE("with bounds the limit of outputs is that of kernel and filters togeth
 }
 
 TEST_CASE("setpoints within v are never implausible with bounds, and barely so just beyond", "[bounds]") {
-  ImageRecord image = image_of({exact::bandstop(30, T, 3).record()});
+  std::vector<FilterRecord> const chain = GENERATE(
+      std::vector<FilterRecord>{exact::bandstop(30, T, 3).record()},
+      std::vector<FilterRecord>{exact::lowpass(12, T, 4).record(), exact::allpass(33, T, 0.7).record()},
+      std::vector<FilterRecord>{exact::with_share(exact::bandstop(40, T, 2), 0.75).record(),
+                                exact::delay(9).record(), exact::pt1(60, T).record()},
+      std::vector<FilterRecord>{exact::allpass(400, T, 0.6).record(), exact::lowpass(2, T, 1).record()});
+  ImageRecord image = image_of(chain);
   auto const bound = bounds_of(write_image(image)).at(0);
   double const v = image.axes[0].velocity_limit * 10 * 1e-3;
   // Backwards through the signs of h, each increment adds to the last output's: it comes to gain v.
