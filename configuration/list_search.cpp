@@ -44,7 +44,7 @@ std::optional<std::string> folder_above(std::string const& folder) {
   return folder_of(folder.substr(0, folder.size() - 1));
 }
 
-std::string joined(std::string const& folder, Parts const& parts) {
+std::string path_of_parts(std::string const& folder, Parts const& parts) {
   std::string path = folder;
   for (std::string const& part : parts) path += (&part == &parts.front() ? "" : "/") + part;
   return path;
@@ -56,7 +56,7 @@ struct Looked {
 };
 
 Looked look(Files& files, std::string const& folder, Parts const& parts) {
-  std::string exact = joined(folder, parts);
+  std::string exact = path_of_parts(folder, parts);
   if (files.is_file(exact)) return {.file = std::move(exact), .has_folder = true};
   Looked looked;
   std::string path = folder;

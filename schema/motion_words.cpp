@@ -359,7 +359,7 @@ constexpr auto rows_by_function = [] {
 }();
 
 /// The words of a text that blanks separate.
-std::vector<std::string_view> split(std::string_view text) {
+std::vector<std::string_view> split_at_blanks(std::string_view text) {
   std::vector<std::string_view> words;
   while (!text.empty()) {
     std::size_t const blank = std::min(text.find(' '), text.size());
@@ -389,7 +389,7 @@ MotionWord const* find_motion_word(int number) {
 MotionWord const* find_motion_word(std::span<std::string_view const> words) {
   MotionWord const* longest = nullptr;
   for (MotionWord const& word : table) {
-    if (word.word.front() != '#' || !begins_with(words, split(word.word))) continue;
+    if (word.word.front() != '#' || !begins_with(words, split_at_blanks(word.word))) continue;
     if (longest == nullptr || length_of(word) > length_of(*longest)) longest = &word;
   }
   return longest;
@@ -401,7 +401,7 @@ MotionWord const* find_motion_word(std::string_view text) {
     return find_motion_word(
         static_cast<int>(function_of(std::string_view(upper).substr(0, upper.find(' ')))));
   }
-  return find_motion_word(split(upper));
+  return find_motion_word(split_at_blanks(upper));
 }
 
 std::size_t length_of(MotionWord const& word) {

@@ -87,8 +87,8 @@ std::optional<std::size_t> symbol_distance(std::string_view word, std::string_vi
   std::size_t const limit = tolerable_distance(word.size());
   std::size_t const slips = edit_distance(word, symbol, limit);
   if (slips <= limit) return slips;
-  constexpr std::size_t shortest_beginning = 3;
-  if (word.size() >= shortest_beginning && (symbol.starts_with(word) || resembles(word, symbol))) {
+  constexpr std::size_t fewest_letters = 3;
+  if (word.size() >= fewest_letters && (symbol.starts_with(word) || resembles(word, symbol))) {
     return limit + 1;
   }
   return std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 
 /// The chains do the same within this, cycles.
 constexpr double same_answer = 1e-9;
-constexpr std::int64_t cycles_per_call = 1024;
+constexpr std::int64_t trial_cycles_per_call = 1024;
 /// A share of a tolerance: between two points below it the error is not looked at.
 constexpr double near_tolerance = 0.9;
 constexpr int most_halvings = 6;
@@ -135,7 +135,7 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
   for (std::int64_t n = 1; n <= cycles; ++n) {
     double const cycle = first + static_cast<double>(n);
     double const half = cycle - 0.5;
-    if (working_ && n % cycles_per_call == 0) working_();
+    if (working_ && n % trial_cycles_per_call == 0) working_();
     pass_ends(half);
     look_between(half);
     if (span.proves && is_wanted(half)) {

@@ -19,7 +19,7 @@ constexpr std::uint16_t geo_task = 551;
 constexpr std::uint16_t position_port = 553;
 
 /// By Object.
-constexpr std::array<ObjectRow, 10> rows{{
+constexpr std::array<ObjectRow, 10> all_objects{{
     {"unfiltered", "Active position", channel_group, 0x61, geo_task, true, "INT32", ObjectUnit::position},
     {"filtered", "Ft_sollwert_gestern", channel_group, 0x1C, geo_task, true, "INT64", ObjectUnit::position},
     {"physical-axis", "", channel_group, 0x17, geo_task, true, "UINT16", ObjectUnit::none},
@@ -56,25 +56,25 @@ bool has_name(ObjectRow const& row, Channel const& channel) {
 }  // namespace
 
 std::span<ObjectRow const> object_rows() {
-  return rows;
+  return all_objects;
 }
 
 ObjectRow const& row_of(Object object) {
-  return rows.at(static_cast<std::size_t>(object));
+  return all_objects.at(static_cast<std::size_t>(object));
 }
 
 std::optional<RecognisedObject> object_of(Channel const& channel) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!is_object(rows.at(i), channel)) continue;
+  for (std::size_t i = 0; i < all_objects.size(); ++i) {
+    if (!is_object(all_objects.at(i), channel)) continue;
     return RecognisedObject{.object = static_cast<Object>(i),
                             .is_by_index = true,
                             .channel = static_cast<std::uint32_t>(*channel.index_group & low_byte),
                             .axis = static_cast<std::uint32_t>(*channel.index_offset / per_axis)};
   }
-  auto const* const named =
-      std::find_if(rows.begin(), rows.end(), [&](ObjectRow const& row) { return has_name(row, channel); });
-  if (named == rows.end()) return std::nullopt;
-  return RecognisedObject{.object = static_cast<Object>(named - rows.begin())};
+  auto const* const named = std::find_if(all_objects.begin(), all_objects.end(),
+                                         [&](ObjectRow const& row) { return has_name(row, channel); });
+  if (named == all_objects.end()) return std::nullopt;
+  return RecognisedObject{.object = static_cast<Object>(named - all_objects.begin())};
 }
 
 std::string template_name(std::string_view axis, Object object) {

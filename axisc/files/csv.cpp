@@ -25,8 +25,8 @@ constexpr Sentence unknown_column{
 constexpr Sentence semicolons{
     "{place}: the columns are separated by semicolons; write commas, and decimal points",
     "{place}: die Spalten sind durch Strichpunkte getrennt; Kommas und Dezimalpunkte schreiben"};
-constexpr Sentence field_count{"{place}: the line has {fields} fields, the first line names {columns}",
-                               "{place}: die Zeile hat {fields} Felder, die erste Zeile nennt {columns}"};
+constexpr Sentence fields_of_line{"{place}: the line has {fields} fields, the first line names {columns}",
+                                  "{place}: die Zeile hat {fields} Felder, die erste Zeile nennt {columns}"};
 constexpr Sentence number{
     R"({place}: "{text}" in column "{column}" is not a number; write it with a decimal point)",
     R"({place}: "{text}" in Spalte "{column}" ist keine Zahl; mit Dezimalpunkt schreiben)"};
@@ -135,7 +135,7 @@ bool CsvReader::next(std::span<double> row) {
   split_line();
   if (fields_.size() != header_.size()) {
     auto const at = fields_.size() > header_.size() ? fields_[header_.size()].column : fields_.back().column;
-    fail(says::field_count, {name_, number_, at},
+    fail(says::fields_of_line, {name_, number_, at},
          {{"fields", std::to_string(fields_.size())}, {"columns", std::to_string(header_.size())}});
   }
   for (std::size_t i = 0; i < fields_.size(); ++i) {

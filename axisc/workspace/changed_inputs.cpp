@@ -31,7 +31,7 @@ std::string_view last_part(std::string_view path) {
 }
 
 /// "a/b" of "a/b/x.lis"; empty of "x.lis".
-std::string_view folder_above(std::string_view path) {
+std::string_view parent_of(std::string_view path) {
   return path.substr(0, std::min(path.rfind('/'), path.size() - last_part(path).size()));
 }
 
@@ -67,7 +67,7 @@ class Changes {
   /// The path or one of its folders: a changed submodule is known as a whole.
   [[nodiscard]] bool has(std::optional<std::string> const& path) const {
     if (!path) return false;
-    for (std::string_view part = *path; !part.empty(); part = folder_above(part)) {
+    for (std::string_view part = *path; !part.empty(); part = parent_of(part)) {
       if (changed_.paths.contains(std::string(part))) return true;
     }
     return false;
@@ -81,7 +81,7 @@ class Changes {
     std::vector<std::string> files;
     add_settings_files(settings_, input, files);
     auto const is_gone = [&own](std::string const& gone) {
-      return last_part(gone) == settings_file_name && is_below(own, folder_above(gone));
+      return last_part(gone) == settings_file_name && is_below(own, parent_of(gone));
     };
     return std::any_of(files.begin(), files.end(), [this](auto const& file) { return is_changed(file); }) ||
            std::any_of(changed_.gone.begin(), changed_.gone.end(), is_gone);
@@ -101,7 +101,7 @@ class Changes {
     // A machine file names places. A control looks for the lists of a start-up list in several.
     if (ascii::has_extension(input, ".json")) return false;
     return std::any_of(changed_.gone.begin(), changed_.gone.end(), [&](std::string const& gone) {
-      return is_below(gone, folder_above(own)) ||
+      return is_below(gone, parent_of(own)) ||
              std::any_of(outline.written.begin(), outline.written.end(), [&gone](std::string const& written) {
                return ascii::equal_ignoring_case(last_part(written), last_part(gone));
              });

@@ -15,11 +15,11 @@ constexpr std::size_t farthest = 32;
 
 enum class Step : std::uint8_t { keep, remove, add };
 
-using Lines = std::vector<std::string_view>;
+using DiffLines = std::vector<std::string_view>;
 
 /// With their line ends.
-Lines split(std::string_view text) {
-  Lines lines;
+DiffLines lines_for_diff(std::string_view text) {
+  DiffLines lines;
   while (!text.empty()) {
     std::size_t const size = std::min(text.find('\n'), text.size() - 1) + 1;
     lines.push_back(text.substr(0, size));
@@ -30,7 +30,7 @@ Lines split(std::string_view text) {
 
 class Comparison {
  public:
-  Comparison(Lines const& before, Lines const& after) : before_(before), after_(after) {
+  Comparison(DiffLines const& before, DiffLines const& after) : before_(before), after_(after) {
     while (old_ < before.size() || new_ < after.size()) {
       if (equal(0, 0)) {
         step(Step::keep);
@@ -75,8 +75,8 @@ class Comparison {
     }
   }
 
-  Lines const& before_;
-  Lines const& after_;
+  DiffLines const& before_;
+  DiffLines const& after_;
   std::size_t old_ = 0;
   std::size_t new_ = 0;
   std::vector<Step> steps_;
@@ -90,7 +90,7 @@ std::string range(std::size_t begin, std::size_t count) {
 
 class Writer {
  public:
-  Writer(Lines const& before, Lines const& after) : before_(before), after_(after) {}
+  Writer(DiffLines const& before, DiffLines const& after) : before_(before), after_(after) {}
 
   void hunk(std::vector<Step> const& steps, std::size_t begin, std::size_t end) {
     auto const first = steps.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -125,8 +125,8 @@ class Writer {
     if (content.back() != '\n') text_ += "\n\\ No newline at end of file\n";
   }
 
-  Lines const& before_;
-  Lines const& after_;
+  DiffLines const& before_;
+  DiffLines const& after_;
   std::size_t old_ = 0;
   std::size_t new_ = 0;
   std::string text_;
@@ -136,8 +136,8 @@ class Writer {
 
 std::string unified_diff(std::string_view name, std::string_view before, std::string_view after) {
   if (before == after) return {};
-  Lines const old_lines = split(before);
-  Lines const new_lines = split(after);
+  DiffLines const old_lines = lines_for_diff(before);
+  DiffLines const new_lines = lines_for_diff(after);
   Comparison const comparison(old_lines, new_lines);
   std::vector<Step> const& steps = comparison.steps();
   auto const is_change = [](Step step) { return step != Step::keep; };

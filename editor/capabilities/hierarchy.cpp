@@ -26,7 +26,7 @@ namespace {
 
 using validator::LoadedList;
 
-constexpr int property = 7;
+constexpr int property_symbol = 7;
 
 struct Line {
   LoadedList const* list;
@@ -162,7 +162,7 @@ class ValueHierarchy {
     Span const whole{.begin = assignment.name.begin, .end = assignment.value.end};
     return {{"name", written},
             {"detail", detail},
-            {"kind", property},
+            {"kind", property_symbol},
             {"uri", places_.uri(line.name())},
             {"range", places_.range(line.place(whole))},
             {"selectionRange", places_.range(line.name())},
@@ -184,7 +184,7 @@ class ValueHierarchy {
     if (!row.has_default || value.empty()) return;
     items.push_back({{"name", name},
                      {"detail", machines_.say(says::value_by_default, {{"value", value}})},
-                     {"kind", property},
+                     {"kind", property_symbol},
                      {"uri", uri},
                      {"range", range},
                      {"selectionRange", range},

@@ -8,7 +8,7 @@
 namespace axisc::validator {
 namespace {
 
-enum class Member : std::uint8_t {
+enum class StageMember : std::uint8_t {
   mode,
   numerator,
   denominator,
@@ -48,7 +48,7 @@ constexpr std::array<MemberRow, 13> members = {{
 using StageFilterSlots = std::array<schema::Slot, filters_per_stage>;
 using StageSlots = std::array<std::array<StageFilterSlots, members.size()>, position_control_stages>;
 
-StageSlots look_up_slots() {
+StageSlots look_up_stage_slots() {
   StageSlots slots{};
   for (std::size_t member = 0; member < members.size(); ++member) {
     std::string pattern("lr_param.improved_position_control.stage[].");
@@ -65,11 +65,11 @@ StageSlots look_up_slots() {
 
 /// Views are made by the thousand; the names are looked up once.
 StageSlots const& stage_slots() {
-  static StageSlots const slots = look_up_slots();
+  static StageSlots const slots = look_up_stage_slots();
   return slots;
 }
 
-EffectiveValue const& stage_value(EffectiveValues const& values, std::uint32_t stage, Member member,
+EffectiveValue const& stage_value(EffectiveValues const& values, std::uint32_t stage, StageMember member,
                                   std::uint32_t filter = 0) {
   return values[stage_slots()[stage][static_cast<std::size_t>(member)][filter]];
 }
@@ -96,19 +96,19 @@ StageFilterType kind_of(EffectiveValue const& type, std::uint32_t filter) {
 StageFilterView older_filter(EffectiveValues const& values, std::uint32_t stage) {
   return {.type = nullptr,
           .prototype = nullptr,
-          .order = stage_value(values, stage, Member::older_order),
-          .frequency = stage_value(values, stage, Member::older_frequency),
-          .quality = stage_value(values, stage, Member::older_quality),
+          .order = stage_value(values, stage, StageMember::older_order),
+          .frequency = stage_value(values, stage, StageMember::older_frequency),
+          .quality = stage_value(values, stage, StageMember::older_quality),
           .kind = StageFilterType::bandpass};
 }
 
 StageFilterView newer_filter(EffectiveValues const& values, std::uint32_t stage, std::uint32_t filter) {
-  EffectiveValue const& type = stage_value(values, stage, Member::type, filter);
+  EffectiveValue const& type = stage_value(values, stage, StageMember::type, filter);
   return {.type = &type,
-          .prototype = &stage_value(values, stage, Member::prototype, filter),
-          .order = stage_value(values, stage, Member::order, filter),
-          .frequency = stage_value(values, stage, Member::frequency, filter),
-          .quality = stage_value(values, stage, Member::quality, filter),
+          .prototype = &stage_value(values, stage, StageMember::prototype, filter),
+          .order = stage_value(values, stage, StageMember::order, filter),
+          .frequency = stage_value(values, stage, StageMember::frequency, filter),
+          .quality = stage_value(values, stage, StageMember::quality, filter),
           .kind = kind_of(type, filter)};
 }
 
@@ -116,11 +116,11 @@ StageFilterView newer_filter(EffectiveValues const& values, std::uint32_t stage,
 
 StageView::StageView(EffectiveValues const& values, std::uint32_t index_)
     : index(index_),
-      mode(stage_value(values, index_, Member::mode)),
-      weight_numerator(stage_value(values, index_, Member::numerator)),
-      weight_denominator(stage_value(values, index_, Member::denominator)),
-      older_damping(stage_value(values, index_, Member::older_damping)),
-      newer_damping(stage_value(values, index_, Member::newer_damping)),
+      mode(stage_value(values, index_, StageMember::mode)),
+      weight_numerator(stage_value(values, index_, StageMember::numerator)),
+      weight_denominator(stage_value(values, index_, StageMember::denominator)),
+      older_damping(stage_value(values, index_, StageMember::older_damping)),
+      newer_damping(stage_value(values, index_, StageMember::newer_damping)),
       older(older_filter(values, index_)),
       newer{newer_filter(values, index_, 0), newer_filter(values, index_, 1)} {}
 

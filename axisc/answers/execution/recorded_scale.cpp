@@ -33,12 +33,9 @@ namespace axisc {
 
 namespace {
 
-using recordings::Channel;
 using recordings::Scaling;
 
-constexpr double thousandths_per_tenth = 0.1;
-
-Failure refusal(SentenceRef sentence, RecordingFile const& file, Channel const& channel) {
+Failure refusal(SentenceRef sentence, RecordingFile const& file, recordings::Channel const& channel) {
   auto const& scale = channel.scale;
   return Failure({sentence,
                   {{"file", file.name},
@@ -51,7 +48,7 @@ Failure refusal(SentenceRef sentence, RecordingFile const& file, Channel const& 
 }
 
 /// What the numbers of the file are, as they will be read.
-Scaling decided(RecordingFile const& file, Channel const& channel, ScaledNumbers wanted) {
+Scaling decided(RecordingFile const& file, recordings::Channel const& channel, ScaledNumbers wanted) {
   if (channel.scale.is_identity()) return Scaling::none;
   if (channel.is_raw) return Scaling::raw;
   if (wanted != ScaledNumbers::recognised) {
@@ -71,14 +68,14 @@ bool is_position(ChosenColumn const& column, recordings::Signal const& signal,
          (column.by != FoundBy::name || is_whole(signal, gaps));
 }
 
-ColumnScale to_raw(Channel const& channel) {
+ColumnScale to_raw(recordings::Channel const& channel) {
   auto const& scale = channel.scale;
   return {.factor = 1 / (scale.unit_factor * scale.factor),
           .offset = scale.raw(0),
           .is_whole = !channel.data_type.starts_with("REAL")};
 }
 
-ColumnScale to_shown(Channel const& channel) {
+ColumnScale to_shown(recordings::Channel const& channel) {
   auto const& scale = channel.scale;
   return {.factor = scale.unit_factor * scale.factor, .offset = scale.shown(0)};
 }

@@ -23,8 +23,6 @@ namespace axisc {
 
 namespace {
 
-constexpr double thousandths_per_tenth = 0.1;
-
 /// As the lists set it last; none where they do not, or where it is no number.
 std::optional<std::int64_t> whole_number(image::ImageAxis const& axis, std::string_view name) {
   auto const found = std::find_if(axis.values.rbegin(), axis.values.rend(),

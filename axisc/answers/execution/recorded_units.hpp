@@ -22,6 +22,9 @@ enum class RecordedUnit : std::uint8_t {
   increments  ///< of the measuring system: P-AXIS-00233 and P-AXIS-00234 say how long one is
 };
 
+/// Micrometres or 0.001° in a position unit of 0.1 µm or 0.0001°.
+inline constexpr double thousandths_per_tenth = 0.1;
+
 /// As people name them.
 inline std::initializer_list<std::pair<std::string_view, RecordedUnit>> const recorded_units = {
     {"0.1um", RecordedUnit::tenths},

@@ -23,8 +23,6 @@ namespace axisc {
 
 namespace {
 
-constexpr std::size_t directions = 720;
-
 std::vector<pictures::Point> closed(std::vector<motion::Point> const& path) {
   std::vector<pictures::Point> points;
   for (auto const& point : path) points.push_back({.x = point[0], .y = point[1]});
@@ -71,12 +69,12 @@ pictures::Figure circle_figure(ContourSubject const& subject, ContourRequest con
   }
   for (std::size_t i = 0; i < curves.size(); ++i) {
     auto const& curve = curves[i];
-    panel.add(
-        {.name = subject.say(says::circle_case,
-                             {{"case", curve.name}, {"deviation", micrometres(deviations[i])}}),
-         .role = curve.role,
-         .colour = curve.colour},
-        closed(motion::circle_path(curve.answers[0], curve.answers[1], curve.velocity, radius, directions)));
+    panel.add({.name = subject.say(says::circle_case,
+                                   {{"case", curve.name}, {"deviation", micrometres(deviations[i])}}),
+               .role = curve.role,
+               .colour = curve.colour},
+              closed(motion::circle_path(curve.answers[0], curve.answers[1], curve.velocity, radius,
+                                         polar_directions)));
   }
   figure.panels.push_back(std::move(panel).take());
   return figure;

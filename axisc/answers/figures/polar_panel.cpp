@@ -18,7 +18,6 @@ constexpr double drawn_deviation = 0.3;
 constexpr double outside = 1 + drawn_deviation * 1.1;
 /// Where words lie beside a ring.
 constexpr double words_height = 0.4;
-constexpr std::size_t directions = 720;
 
 }  // namespace
 
@@ -33,8 +32,8 @@ void PolarPanel::add_ring(double deviation, std::string name, std::string words,
   double const ring = shown(deviation);
   auto& curve = panel_.curves.emplace_back(
       pictures::Curve{.name = std::move(name), .role = pictures::Role::guide, .colour = 0, .points = {}});
-  for (std::size_t i = 0; i <= directions; ++i) {
-    double const angle = 2 * std::numbers::pi * static_cast<double>(i) / directions;
+  for (std::size_t i = 0; i <= polar_directions; ++i) {
+    double const angle = 2 * std::numbers::pi * static_cast<double>(i) / polar_directions;
     curve.points.push_back({.x = ring * std::cos(angle), .y = ring * std::sin(angle)});
   }
   if (words.empty()) return;

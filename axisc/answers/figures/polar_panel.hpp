@@ -3,11 +3,15 @@
 
 #include "presentation/pictures/figure.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace axisc {
+
+/// Directions in which curves are drawn.
+inline constexpr std::size_t polar_directions = 720;
 
 /// Radius 1 of the picture is the programmed one.
 class PolarPanel {

@@ -74,10 +74,6 @@ constexpr std::array<std::string_view, 4> reasons{"diverges", "no_resonance", "s
 constexpr std::array<SentenceRef, 4> reason_sentences{says::diverges, says::nowhere, says::still,
                                                       says::not_enough};
 
-Quantity micrometres(double units) {
-  return fixed(units / motion::units_per_um, Unit::micrometre, 2);
-}
-
 Section refusal(Suggested const& suggested) {
   auto const& answer = *suggested.damping;
   auto const* const none = std::get_if<tuning::NoDampingFound>(&answer.found);
@@ -156,16 +152,16 @@ Section damping_section(Suggested const& suggested) {
           .blocks = {Facts{{data("plant", answer.plant_path), data("settings_compared", damping->looked_at),
                             data("stages", tuning::short_name(damping->control, Language::english))}},
                      resonances(*damping, task),
-                     Facts{{{"shift_on_circle_um", on_circle, micrometres(damping->circle)},
-                            {"largest_shift_um", says::shift, micrometres(damping->shift)},
+                     Facts{{{"shift_on_circle_um", on_circle, length_of(damping->circle)},
+                            {"largest_shift_um", says::shift, length_of(damping->shift)},
                             {"distance_from_setpoint_um",
                              says::distance,
-                             micrometres(damping->error_without),
+                             length_of(damping->error_without),
                              {},
                              "without"},
                             {"distance_from_setpoint_um",
                              says::distance_with,
-                             micrometres(damping->error_with),
+                             length_of(damping->error_with),
                              {},
                              "with"},
                             {"max_additive_velocity_um_per_s", says::additive,

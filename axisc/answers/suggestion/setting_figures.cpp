@@ -10,7 +10,7 @@ constexpr Sentence amplitude{"after a ramp, at {frequency}", "nach einer Rampe, 
 constexpr Sentence corner{"corner, 90°: axis error", "Ecke, 90°: Achsfehler"};
 constexpr Sentence corner_deviation{"corner, 90°: deviation", "Ecke, 90°: Abweichung"};
 constexpr Sentence corner_feed{"corner: feed within tolerance", "Ecke: Vorschub in der Toleranz"};
-constexpr Sentence circle{"circle, r {radius}: deviation", "Kreis, r {radius}: Abweichung"};
+constexpr Sentence circle_deviation{"circle, r {radius}: deviation", "Kreis, r {radius}: Abweichung"};
 constexpr Sentence circle_feed{"circle: feed within tolerance", "Kreis: Vorschub in der Toleranz"};
 constexpr Sentence any{"any", "beliebig"};
 
@@ -21,10 +21,6 @@ namespace axisc {
 using namespace presentation;
 
 namespace {
-
-Quantity micrometres(double units) {
-  return fixed(units / motion::units_per_um, Unit::micrometre, 2);
-}
 
 Quantity share(double value) {
   return fixed(value, Unit::share, 1);
@@ -43,19 +39,20 @@ std::vector<Field> figures_of(Suggestion const& suggestion, Setting const& setti
     auto const frequency = rounded(suggestion.task.resonances[i].frequency, Unit::hertz, 4);
     fields.push_back({.key = {},
                       .label = Words(says::amplitude, {{"frequency", frequency}}),
-                      .value = micrometres(figures.resonances[i].amplitude),
+                      .value = length_of(figures.resonances[i].amplitude),
                       .audience = Audience::people});
   }
-  Words const on_circle(says::circle, {{"radius", rounded(suggestion.radius_mm, Unit::millimetre, 6)}});
+  Words const on_circle(says::circle_deviation,
+                        {{"radius", rounded(suggestion.radius_mm, Unit::millimetre, 6)}});
   for (Field& field : std::vector<Field>{
            data("delay_cycles", figures.delay),
            {"delay_ms", labels::delay, delay_of(suggestion, figures)},
            {"overshoot", labels::step_overshoot, share(figures.overshoot)},
-           {"corner", says::corner, micrometres(corner.largest_axis_error()), {}, "max_axis_error_um"},
-           {"corner", says::corner_deviation, micrometres(corner.deviation), {}, "contour_deviation_um"},
+           {"corner", says::corner, length_of(corner.largest_axis_error()), {}, "max_axis_error_um"},
+           {"corner", says::corner_deviation, length_of(corner.deviation), {}, "contour_deviation_um"},
            {"corner", says::corner_feed, feed(corner_feed), {}, "allowed_feed_mm_per_min"},
-           data("circle", micrometres(circle.largest_axis_error()), "max_axis_error_um"),
-           {"circle", on_circle, micrometres(circle.deviation), {}, "contour_deviation_um"},
+           data("circle", length_of(circle.largest_axis_error()), "max_axis_error_um"),
+           {"circle", on_circle, length_of(circle.deviation), {}, "contour_deviation_um"},
            {"circle", says::circle_feed, feed(circle_feed), {}, "allowed_feed_mm_per_min"}}) {
     fields.push_back(std::move(field));
   }

@@ -1,5 +1,6 @@
 #include "axisc/answers/suggestion/suggest_answer.hpp"
 
+#include "analysis/motion/point.hpp"
 #include "axisc/answers/labels.hpp"
 #include "diagnostics/format_number.hpp"
 
@@ -194,6 +195,10 @@ presentation::Document suggest_answer(Suggested const& suggested) {
 
 presentation::Document chosen_answer(Suggestion const& suggestion, std::size_t index) {
   return {.title = title_of(suggestion, index), .blocks = {command_of(suggestion.alternatives.at(index))}};
+}
+
+Quantity length_of(double units) {
+  return fixed(units / motion::units_per_um, Unit::micrometre, 2);
 }
 
 }  // namespace axisc

@@ -35,6 +35,9 @@ namespace axisc {
 /// "LOWPASS order 2, 30 Hz + Gaussian order 40".
 [[nodiscard]] Wording name_of(tuning::Chain const& chain);
 
+/// Of a length in position units.
+[[nodiscard]] presentation::Quantity length_of(double units);
+
 /// As people see it.
 [[nodiscard]] presentation::Quantity delay_of(Suggestion const& suggestion, tuning::Figures const& figures);
 
