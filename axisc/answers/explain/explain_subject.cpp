@@ -146,9 +146,9 @@ void take(ExplainSubject& subject, Subject const& found) {
 }
 
 /// The answer, with others whose names contain the words, or all hits.
-ExplainSubject searched(std::span<SearchEntry const> entries, std::string const& text) {
+ExplainSubject searched(Catalogues catalogues, std::string const& text) {
   ExplainSubject subject;
-  subject.hits = search(entries, text);
+  subject.hits = search(catalogues, text);
   if (!is_answer(subject.hits)) return subject;
   auto const answer = subject.hits.front();
   take(subject, answer.subject);
@@ -158,13 +158,13 @@ ExplainSubject searched(std::span<SearchEntry const> entries, std::string const&
   return subject;
 }
 
-[[noreturn]] void refuse(std::span<SearchEntry const> entries, std::string const& text) {
+[[noreturn]] void refuse(Catalogues catalogues, std::string const& text) {
   std::vector<std::string> known;
   for (auto const& rule : validator::rules()) known.push_back(code_text(rule.code));
   for (auto const& message : schema::control_messages()) {
     for (auto const number : message.numbers) known.push_back(std::to_string(number));
   }
-  for (auto const& entry : entries) {
+  for (auto const& entry : search_entries(catalogues)) {
     for (auto const& phrase : entry.phrases) known.push_back(phrase.written);
   }
   auto words = words_of(text);
@@ -180,14 +180,17 @@ ExplainSubject searched(std::span<SearchEntry const> entries, std::string const&
 
 }  // namespace
 
-ExplainSubject explain_subject(std::span<schema::Catalogue const> catalogues, std::string const& text) {
+ExplainSubject find_subject(std::span<schema::Catalogue const> catalogues, std::string const& text) {
   for (auto const find : {subject_of, subject_within, subject_nearly_named}) {
     auto subject = find(catalogues, text);
     if (subject.is_found()) return subject;
   }
-  auto const entries = search_entries(catalogues);
-  auto subject = searched(entries, text);
-  if (!subject.is_found() && subject.hits.empty()) refuse(entries, text);
+  return searched(catalogues, text);
+}
+
+ExplainSubject explain_subject(std::span<schema::Catalogue const> catalogues, std::string const& text) {
+  auto subject = find_subject(catalogues, text);
+  if (!subject.is_found() && subject.hits.empty()) refuse(catalogues, text);
   return subject;
 }
 

@@ -32,8 +32,12 @@ struct ExplainSubject {
   }
 };
 
-/// Something that was named as programs name it, or else a search. The first catalogue is that of axis lists.
-/// Failure for words that mean nothing, with what may have been meant.
+/// Something that was named as programs name it, or else a search; for words that mean nothing neither a
+/// subject nor hits. The first catalogue is that of axis lists.
+[[nodiscard]] ExplainSubject find_subject(std::span<schema::Catalogue const> catalogues,
+                                          std::string const& text);
+
+/// The same, with a Failure for words that mean nothing, which says what may have been meant.
 [[nodiscard]] ExplainSubject explain_subject(std::span<schema::Catalogue const> catalogues,
                                              std::string const& text);
 

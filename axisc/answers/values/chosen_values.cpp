@@ -59,16 +59,12 @@ std::string found_names(schema::Catalogue const& catalogue, std::string const& n
   auto const add = [&names](schema::Parameter const& row) {
     if (names.size() < most) names.push_back(schema::slot_name(row, row.first_slot));
   };
-  try {
-    std::vector const catalogues{catalogue};
-    auto const subject = explain_subject(catalogues, name);
-    for (auto const* const row : subject.parameters) add(*row);
-    for (auto const& hit : subject.hits) {
-      auto const* const row = std::get_if<schema::Parameter const*>(&hit.subject);
-      if (row != nullptr && hit.likeness < Likeness::some_words) add(**row);
-    }
-  } catch (Failure const&) {
-    // Nothing is like it.
+  std::vector const catalogues{catalogue};
+  auto const subject = find_subject(catalogues, name);
+  for (auto const* const row : subject.parameters) add(*row);
+  for (auto const& hit : subject.hits) {
+    auto const* const row = std::get_if<schema::Parameter const*>(&hit.subject);
+    if (row != nullptr && hit.likeness < Likeness::some_words) add(**row);
   }
   return joined(names, ", ");
 }
