@@ -27,11 +27,13 @@ class LookupWriter {
     for (Json const& row : messages.at("messages")) write_message(row);
     for (Json const& row : lookup.at("topics")) write_topic(row);
     for (Json const& row : lookup.at("synonyms")) write_synonyms(row);
+    auto const search_words = written_search_words(lookup);
     if (!complaints_.empty()) throw DataError(complaints_);
     return "// Generated from control-messages.json and lookup.json. Edit those files instead.\n" +
            arrays_.str() + "\nconstexpr ControlMessage message_table[] = {\n" + messages_.str() +
            "};\n\nconstexpr Topic topic_table[] = {\n" + topics_.str() +
-           "};\n\nconstexpr Synonyms synonym_table[] = {\n" + synonyms_.str() + "};\n";
+           "};\n\nconstexpr Synonyms synonym_table[] = {\n" + synonyms_.str() +
+           "};\n\nconstexpr SearchWords search_word_table = {\n" + search_words + "};\n";
   }
 
  private:
@@ -73,6 +75,35 @@ class LookupWriter {
     bool const is_parameter = name.find('.') != std::string::npos;
     if (is_parameter && !parameters_.contains(name)) complain(name, "there is no such parameter");
     synonyms_ << "    {" << literal(name) << ", " << words(name, row) << "},\n";
+  }
+
+  std::string written_search_words(Json const& lookup) {
+    std::string text;
+    for (auto const* const key : {"fillers", "units", "for_messages"}) {
+      text += "    " + group(key, lookup.at(key)) + ",\n";
+    }
+    std::set<std::string> known;
+    for (auto const* const key : {"faults", "degrees", "same"}) {
+      std::vector<std::string> groups;
+      for (Json const& row : lookup.at(key)) {
+        for (Json const& word : row) {
+          if (!known.insert(word.get<std::string>()).second) complain(key, word.dump() + " is there twice");
+        }
+        groups.push_back(group(key, row));
+      }
+      text += "    " + array("WordGroup", groups) + ",\n";
+    }
+    return text;
+  }
+
+  std::string group(std::string const& key, Json const& row) {
+    std::set<std::string> known;
+    std::vector<std::string> words;
+    for (Json const& word : row) {
+      if (!known.insert(word.get<std::string>()).second) complain(key, word.dump() + " is there twice");
+      words.push_back(literal(word.get<std::string>()));
+    }
+    return array("std::string_view", words);
   }
 
   /// The words of both languages; one that is the same in both is written once.

@@ -77,4 +77,8 @@ std::span<Synonyms const> synonyms() {
   return synonym_table;
 }
 
+SearchWords const& search_words() {
+  return search_word_table;
+}
+
 }  // namespace axisc::schema

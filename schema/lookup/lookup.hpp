@@ -49,4 +49,19 @@ struct Synonyms {
 
 [[nodiscard]] std::span<Synonyms const> synonyms();
 
+/// Words of one meaning, in both languages and in whatever form: "velocity", "speed", "Geschwindigkeit".
+using WordGroup = std::span<std::string_view const>;
+
+/// What the search knows of words beside the subjects.
+struct SearchWords {
+  WordGroup fillers;                   ///< that say nothing about a subject: "the", "wie", "Achse"
+  WordGroup units;                     ///< after a number, which says nothing either: "48 Hz"
+  WordGroup for_messages;              ///< by which people ask for a message of the control: "Fehler"
+  std::span<WordGroup const> faults;   ///< that tell what is wrong: "missing", "unknown"
+  std::span<WordGroup const> degrees;  ///< that do so in some texts: "too high", but not "high-pass"
+  std::span<WordGroup const> same;     ///< all others
+};
+
+[[nodiscard]] SearchWords const& search_words();
+
 }  // namespace axisc::schema

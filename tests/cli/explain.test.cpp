@@ -75,8 +75,8 @@ TEST_CASE("a typing error is read, and the page says so") {
   };
   CHECK(first_lines("filter[0].odrer") ==
         "# filter[].order (P-AXIS-00140)\n\n\"filter[0].odrer\" was read as \"filter[0].order\".");
-  CHECK(first_lines("delay-to-long") ==
-        "# AX3005 delay-too-long\n\n\"delay-to-long\" was read as \"delay-too-long\".");
+  CHECK(first_lines("dely-too-long") ==
+        "# AX3005 delay-too-long\n\n\"dely-too-long\" was read as \"Delay too long\".");
 }
 
 TEST_CASE("people's words, topics and messages in both languages and every format") {

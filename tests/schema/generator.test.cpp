@@ -35,7 +35,9 @@ std::string const any_descriptions =
     R"({"parameters": [], "families": [{"prefix": "", "what": {"en": "e", "de": "d"}}]})";
 
 std::string const no_messages = R"({"messages": []})";
-std::string const no_lookup = R"({"topics": [], "synonyms": []})";
+std::string const no_words =
+    R"("fillers": [], "units": [], "for_messages": [], "faults": [], "degrees": [], "same": [])";
+std::string const no_lookup = R"({"topics": [], "synonyms": [], )" + no_words + "}";
 
 Outcome generate(std::string const& data, std::string const& descriptions = any_descriptions,
                  std::string const& messages = no_messages, std::string const& lookup = no_lookup) {
@@ -142,7 +144,8 @@ TEST_CASE("messages and topics name what exists, once, in both languages") {
   CHECK(contains(messages(R"({"numbers": [1], "meaning": {"en": "e", "de": "d"}, "parameters": ["c"]})"),
                  "1: there is no parameter c"));
   auto const synonyms = [&](std::string const& rows) {
-    return generate(data, any_descriptions, no_messages, R"({"topics": [], "synonyms": [)" + rows + "]}")
+    return generate(data, any_descriptions, no_messages,
+                    R"({"topics": [], "synonyms": [)" + rows + "], " + no_words + "}")
         .message;
   };
   std::string const words = R"({"of": "a.b", "words": {"en": ["x"], "de": ["x", "y"]}})";
@@ -151,6 +154,15 @@ TEST_CASE("messages and topics name what exists, once, in both languages") {
   CHECK(contains(synonyms(R"({"of": "a.c", "words": {"en": [], "de": []}})"), "a.c: there is no such"));
   CHECK(
       contains(synonyms(R"({"of": "a.b", "words": {"en": ["x", "x"], "de": []}})"), "\"x\" is there twice"));
+  auto const groups = [&](std::string const& faults, std::string const& same) {
+    return generate(data, any_descriptions, no_messages,
+                    R"({"topics": [], "synonyms": [], "fillers": ["a"], "units": [], "for_messages": [],)"
+                    R"("degrees": [], "faults": [)" +
+                        faults + R"(], "same": [)" + same + "]}")
+        .message;
+  };
+  CHECK(groups(R"(["no", "ohne"])", R"(["speed", "velocity"])").empty());
+  CHECK(contains(groups(R"(["no", "ohne"])", R"(["speed", "ohne"])"), "same: \"ohne\" is there twice"));
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ void for_programs(Section& section) {
 /// All that can be looked up, for programs.
 Table every_subject(schema::Catalogue const& of_axes) {
   std::vector<Subject> subjects;
-  for (auto const& entry : search_entries(catalogues_of(of_axes))) subjects.push_back(entry.subject);
+  auto const all = search_entries(catalogues_of(of_axes));
+  for (auto const& entry : all.entries) subjects.push_back(entry.subject);
   auto table = subjects_table("hits", subjects);
   table.audience = Audience::programs;
   return table;

@@ -3,6 +3,7 @@
 #include "axisc/answers/explain/named_subject.hpp"
 #include "axisc/answers/explain/search_entries.hpp"
 #include "axisc/answers/explain/search_text.hpp"
+#include "axisc/answers/explain/search_vocabulary.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/failure.hpp"
 #include "diagnostics/ascii.hpp"
@@ -108,7 +109,7 @@ ExplainSubject subject_within(Catalogues catalogues, std::string const& text) {
   }
   std::vector<std::string> telling;
   std::copy_if(words.begin(), words.end(), std::back_inserter(telling),
-               [](std::string const& word) { return !is_filler(word); });
+               [](std::string const& word) { return !vocabulary().is_filler(word); });
   if (telling.size() == 1) return subject_of(catalogues, telling.front());
   for (auto const& word : words) {
     bool const is_g_word = word.starts_with('g') && is_number(std::string_view(word).substr(1));
@@ -164,11 +165,12 @@ ExplainSubject searched(Catalogues catalogues, std::string const& text) {
   for (auto const& message : schema::control_messages()) {
     for (auto const number : message.numbers) known.push_back(std::to_string(number));
   }
-  for (auto const& entry : search_entries(catalogues)) {
+  auto const all = search_entries(catalogues);
+  for (auto const& entry : all.entries) {
     for (auto const& phrase : entry.phrases) known.push_back(phrase.written);
   }
   auto words = words_of(text);
-  std::erase_if(words, [](std::string const& word) { return is_filler(word); });
+  std::erase_if(words, [](std::string const& word) { return vocabulary().is_filler(word); });
   std::vector<std::string_view> const views(known.begin(), known.end());
   auto meant = std::string(schema::closest_word(text, views));
   for (auto const& word : words) {

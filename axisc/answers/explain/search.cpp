@@ -21,23 +21,37 @@ bool is_of_axes(SearchEntry const& entry) {
   return parameter == nullptr || (*parameter)->kind == schema::ListKind::axis;
 }
 
-bool is_meant(Phrase const& phrase, SearchQuery const& query) {
-  return phrase.folded == query.common || (!phrase.is_common && query.is(phrase.folded));
+/// Letter by letter there is more to it: "Genauhalt ein" is more than "Genauhalt", although "ein" says nothing
+/// elsewhere.
+std::size_t exactness(Phrase const& phrase, SearchQuery const& query) {
+  if (phrase.folded == query.complete) return 4;
+  if (phrase.folded == query.whole) return 3;
+  // Whoever writes `filter_fir` means a name, not a FIR filter.
+  if (!query.identifiers.empty()) return 0;
+  bool const is_same = !phrase.senses.empty() && phrase.senses.size() == query.senses.size() &&
+                       std::is_permutation(phrase.senses.begin(), phrase.senses.end(), query.senses.begin());
+  if (!is_same || (phrase.asks_for_message && !query.asks_for_message)) return 0;
+  return phrase.senses == query.senses ? 2 : 1;
 }
 
 std::optional<Hit> exact_hit(SearchEntry const& entry, SearchQuery const& query) {
-  bool const is_exact = std::any_of(entry.phrases.begin(), entry.phrases.end(),
-                                    [&](Phrase const& phrase) { return is_meant(phrase, query); });
-  if (!is_exact) return std::nullopt;
-  // "Genauhalt ein" is more than "Genauhalt", although "ein" says nothing elsewhere.
-  bool const is_complete = query.complete != query.whole &&
-                           std::any_of(entry.phrases.begin(), entry.phrases.end(),
-                                       [&](Phrase const& phrase) { return phrase.folded == query.complete; });
+  std::size_t best = 0;
+  std::string read_as;
+  for (auto const& phrase : entry.phrases) {
+    auto const found = exactness(phrase, query);
+    if (found <= best) continue;
+    best = found;
+    if (query.is_mended) read_as = phrase.written;
+  }
+  if (best == 0) return std::nullopt;
   bool const is_rare = !is_of_axes(entry) && query.is(entry.phrases.front().folded);
+  // "Alarm Schleppabstand" means a message about it; what else is called so competes by its words.
+  bool const is_message = std::holds_alternative<schema::ControlMessage const*>(entry.subject);
+  if (query.asks_for_message && !is_message && best < 4) return std::nullopt;
   return Hit{.subject = entry.subject,
              .likeness = is_rare ? Likeness::words : Likeness::exact,
-             .points = is_complete ? 1U : 0U,
-             .read_as = {}};
+             .points = best - 1,
+             .read_as = std::move(read_as)};
 }
 
 /// A whole part of the name has three points, the beginning of a part two, anything else one.
@@ -69,7 +83,7 @@ std::optional<Hit> slip(SearchEntry const& entry, SearchQuery const& query) {
     auto const accepted = accepted_slips(text.size());
     for (auto const& phrase : phrases) {
       bool const is_short = accepted == 0 || accepted_slips(phrase.folded.size()) == 0;
-      if (is_short || phrase.is_common) continue;
+      if (is_short) continue;
       auto const distance = schema::edit_distance(text, phrase.folded, accepted);
       if (distance > accepted) continue;
       auto const points = 2 * (most_slips - distance) + bonus;
@@ -105,7 +119,8 @@ void keep_names(std::vector<Hit>& hits, SearchQuery const& query, bool is_spelle
       std::any_of(hits.begin(), hits.end(), [](Hit const& hit) { return hit.likeness <= Likeness::slip; });
   if (is_path(query)) {
     std::erase_if(hits, [&](Hit const& hit) {
-      return hit.likeness > (is_near_names ? Likeness::slip : Likeness::words) || !hit.is_named;
+      bool const is_parameter = std::holds_alternative<schema::Parameter const*>(hit.subject);
+      return hit.likeness > (is_near_names ? Likeness::slip : Likeness::words) || !is_parameter;
     });
   }
   // Words that are spelled as elsewhere are not mistyped.
@@ -128,30 +143,32 @@ std::vector<Hit> search(std::span<schema::Catalogue const> catalogues, std::stri
   return search(search_entries(catalogues), text);
 }
 
-std::vector<Hit> search(std::span<SearchEntry const> entries, std::string_view text) {
-  auto const query = search_query(text);
+std::vector<Hit> search(SearchEntries const& all, std::string_view text) {
+  auto const query = search_query(text, all.words);
   if (query.whole.empty()) return {};
+  Fits const fits(query, all.words);
   std::vector<Hit> hits;
   std::vector<Candidate> by_words;
-  Rarity rarity(query);
+  std::vector<std::size_t> words_of_all(query.words.size());
   bool is_spelled_so = false;
-  for (auto const& entry : entries) {
+  bool const is_hyphenated = query.written.find('-') != std::string::npos;
+  for (auto const& entry : all.entries) {
     auto hit = exact_hit(entry, query);
     if (!hit) hit = part_of_name(entry, query);
-    auto found = coverage(entry, query);
-    rarity.count(found);
-    bool const has_all = found.words == query.words.size();
-    is_spelled_so = is_spelled_so || (has_all && found.is_spelled_so);
-    bool const is_like_it = has_all && found.is_spelled_so && query.written.find('-') == std::string::npos;
-    if (!hit && !is_like_it) hit = slip(entry, query);
+    auto found = coverage(entry, query, fits);
+    for (std::size_t i = 0; i < words_of_all.size(); ++i) {
+      if (found.points[i] > 0) ++words_of_all[i];
+    }
+    bool const has_all = found.words == query.words.size() && found.is_spelled_so;
+    is_spelled_so = is_spelled_so || has_all;
+    if (!hit && (!has_all || is_hyphenated)) hit = slip(entry, query);
     if (hit) {
       hits.push_back(*std::move(hit));
     } else if (found.words > 0) {
-      auto said = hit_of_words(entry, query, found);
-      by_words.push_back({.hit = std::move(said), .found = std::move(found)});
+      by_words.push_back({.entry = &entry, .found = std::move(found)});
     }
   }
-  auto fitting = fitting_words(std::move(by_words), rarity, query);
+  auto fitting = fitting_words(by_words, words_of_all, query);
   hits.insert(hits.end(), std::make_move_iterator(fitting.begin()), std::make_move_iterator(fitting.end()));
   keep_names(hits, query, is_spelled_so);
   if (hits.size() > 1 && std::any_of(hits.begin(), hits.end(), is_good)) {

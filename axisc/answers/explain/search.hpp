@@ -31,7 +31,7 @@ enum class Likeness : std::uint8_t {
   some_words,    ///< at least half of the words are there, and nothing has more
 };
 
-struct SearchEntry;
+struct SearchEntries;
 
 struct Hit {
   Subject subject;
@@ -46,7 +46,7 @@ struct Hit {
 /// milliseconds.
 [[nodiscard]] std::vector<Hit> search(std::span<schema::Catalogue const> catalogues, std::string_view text);
 /// The same in entries that were made before: see search_entries.hpp.
-[[nodiscard]] std::vector<Hit> search(std::span<SearchEntry const> entries, std::string_view text);
+[[nodiscard]] std::vector<Hit> search(SearchEntries const& all, std::string_view text);
 
 /// True if the first hit is the only good one: the only exact one, or, without exact ones, the only one whose
 /// name contains the query, or the only one that is nearest, or the only one at all if a word names it.

@@ -1,7 +1,5 @@
 #include "axisc/answers/explain/search_candidates.hpp"
 
-#include "axisc/answers/explain/search_text.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -10,50 +8,88 @@ namespace axisc {
 
 namespace {
 
-std::size_t points_of(std::size_t entries) {
-  constexpr std::size_t most = 5;
-  auto const fourfolds = static_cast<std::size_t>(std::bit_width(entries) - 1) / 2;
-  return most - std::min(most, fourfolds);
+/// A word that few entries have says more than one that many have: seven for a single entry, one less for
+/// each fourfold. That something is wrong says little about the subject.
+std::vector<std::size_t> weights_of(SearchQuery const& query, std::vector<std::size_t> const& entries) {
+  constexpr std::size_t most = 7;
+  constexpr std::size_t least = 1;
+  std::vector<std::size_t> weights;
+  weights.reserve(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    auto const fourfolds = static_cast<std::size_t>(std::bit_width(entries[i])) / 2;
+    auto const weight = std::max(least, most - std::min(most, fourfolds));
+    weights.push_back(vocabulary().is_of_faults(query.words[i].sense) ? least : weight);
+  }
+  return weights;
+}
+
+/// A query that names a fault means a message or a rule rather than the parameter behind it; one that asks
+/// for a message means a message.
+std::size_t preference(SearchEntry const& entry, SearchQuery const& query) {
+  constexpr std::size_t of_a_message = 32;
+  constexpr std::size_t of_a_fault = 32;
+  bool const is_message = std::holds_alternative<schema::ControlMessage const*>(entry.subject);
+  if (query.asks_for_message && is_message) return of_a_message;
+  return query.tells_fault && entry.is_about_fault ? of_a_fault : 0;
+}
+
+/// A phrase makes up for words that are missing.
+Hit hit_of(Candidate const& candidate, std::vector<std::size_t> const& weights, SearchQuery const& query) {
+  constexpr std::size_t bonus = 12;
+  constexpr std::size_t bonus_of_some = 3;
+  constexpr std::size_t all_words = 20;
+  constexpr std::size_t missing_word = 10;
+  constexpr std::size_t of_its_weight = 2;
+  auto const& found = candidate.found;
+  auto const phrase = found_phrase(*candidate.entry, query);
+  bool const has_phrase = phrase.missing == 0;
+  auto const missing = query.words.size() - found.words;
+  bool const has_half = 2 * found.words >= query.words.size();
+  auto points = has_half || has_phrase ? preference(*candidate.entry, query) : 0;
+  if (missing == 0) points += all_words;
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (found.points[i] == 0) lost += missing_word + of_its_weight * weights[i];
+    points += weights[i] * found.points[i];
+    bool const is_in_phrase = phrase.words > 0 && phrase.has[i];
+    if (is_in_phrase && has_phrase) points += weights[i] * bonus;
+    if (is_in_phrase && !has_phrase && phrase.words > 1) points += weights[i] * bonus_of_some;
+  }
+  return {.subject = candidate.entry->subject,
+          .likeness = missing == 0 || has_phrase ? Likeness::words : Likeness::some_words,
+          .points = points > lost ? points - lost : 0,
+          .read_as = {},
+          .is_named = has_phrase || (missing == 0 && found.is_named)};
 }
 
 }  // namespace
-
-Rarity::Rarity(SearchQuery const& query) : words_(query.words), entries_(query.words.size()) {}
-
-void Rarity::count(Coverage const& found) {
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (found.fits[i]) ++entries_[i];
-  }
-}
-
-std::size_t Rarity::points(Coverage const& found) const {
-  std::size_t sum = 0;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (found.fits[i] && !tells_a_fault(words_[i])) sum += points_of(entries_[i]);
-  }
-  return sum;
-}
 
 bool is_good(Hit const& hit) {
   return hit.likeness != Likeness::some_words;
 }
 
-std::vector<Hit> fitting_words(std::vector<Candidate> candidates, Rarity const& rarity,
-                               SearchQuery const& query) {
+std::vector<Hit> fitting_words(std::vector<Candidate> const& candidates,
+                               std::vector<std::size_t> const& words_of_all, SearchQuery const& query) {
+  auto const weights = weights_of(query, words_of_all);
   std::size_t most_words = (query.words.size() + 1) / 2;
-  std::size_t most_of_good = 0;
-  for (auto const& [hit, found] : candidates) {
-    auto& most = is_good(hit) ? most_of_good : most_words;
-    most = std::max(most, found.words);
+  std::size_t best_of_good = 0;
+  std::vector<Hit> all;
+  all.reserve(candidates.size());
+  for (auto const& candidate : candidates) {
+    all.push_back(hit_of(candidate, weights, query));
+    if (is_good(all.back())) {
+      best_of_good = std::max(best_of_good, all.back().points);
+    } else {
+      most_words = std::max(most_words, candidate.found.words);
+    }
   }
   std::vector<Hit> hits;
-  hits.reserve(candidates.size());
-  for (auto& [hit, found] : candidates) {
-    bool const is_kept = is_good(hit) || found.words == most_words;
-    if (!is_kept) continue;
-    if (!is_good(hit) && most_of_good > 0 && found.words > most_of_good) hit.likeness = Likeness::words;
-    hit.points += rarity.points(found);
-    hits.push_back(std::move(hit));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto& hit = all[i];
+    bool const has_enough = candidates[i].found.words * 2 >= query.words.size();
+    if (!is_good(hit) && has_enough && best_of_good > 0 && hit.points > best_of_good)
+      hit.likeness = Likeness::words;
+    if (is_good(hit) || candidates[i].found.words == most_words) hits.push_back(std::move(hit));
   }
   return hits;
 }

@@ -20,27 +20,38 @@ std::vector<std::string> identifiers_in(std::string_view text) {
   return identifiers;
 }
 
+/// True for "schleppabstadn", which is meant otherwise.
+bool mend(TellingWord& word, std::vector<EntryWord> const& known) {
+  // Parts of composed words are known.
+  if (vocabulary().is_known(word.folded) || word.sense != vocabulary().sense_of(word.folded)) return false;
+  auto const own = stem(word.folded);
+  bool const is_spelled_so = std::any_of(known.begin(), known.end(), [&](EntryWord const& other) {
+    return other.folded.starts_with(word.folded) || stem(other.folded) == own;
+  });
+  auto const meant = is_spelled_so ? std::string() : vocabulary().nearest(word.folded);
+  if (!meant.empty()) word.sense = vocabulary().sense_of(meant);
+  return !meant.empty();
+}
+
 }  // namespace
 
-SearchQuery search_query(std::string_view text) {
+SearchQuery search_query(std::string_view text, std::vector<EntryWord> const& known) {
   SearchQuery query{.written = ascii::lower_case(ascii::trimmed(text)),
                     .complete = folded(text),
                     .whole = {},
-                    .common = {},
                     .words = {},
-                    .common_words = {},
+                    .senses = {},
                     .identifiers = identifiers_in(ascii::trimmed(text))};
-  if (query.written.find(' ') != std::string::npos) query.common = common_phrase(text);
-  for (auto& word : words_of(text)) {
-    query.tells_fault = query.tells_fault || tells_a_fault(word);
-    query.asks_for_message = query.asks_for_message || asks_for_message(word);
-    if (!is_filler(word)) query.words.push_back(std::move(word));
+  for (auto const& word : words_of(text)) {
+    query.tells_fault = query.tells_fault || vocabulary().tells_fault(vocabulary().sense_of(word));
   }
-  if (query.words.empty()) query.words = words_of(text);
-  query.common_words.reserve(query.words.size());
-  for (auto const& word : query.words) {
-    query.whole += word;
-    query.common_words.emplace_back(common_word(word));
+  auto telling = vocabulary().telling_words(text);
+  query.asks_for_message = telling.ask_for_message;
+  for (auto& word : telling.words) {
+    if (!query.whole.ends_with(word.folded)) query.whole += word.folded;
+    if (mend(word, known)) query.is_mended = true;
+    add_once(query.senses, word.sense);
+    if (query.senses.size() > query.words.size()) query.words.push_back(std::move(word));
   }
   return query;
 }

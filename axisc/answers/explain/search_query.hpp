@@ -1,6 +1,8 @@
 // What somebody looks for, as the search compares it.
 #pragma once
 
+#include "axisc/answers/explain/search_entries.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,19 +10,20 @@
 namespace axisc {
 
 struct SearchQuery {
-  std::string written;   ///< in lower case, without blanks around it
-  std::string complete;  ///< folded
-  std::string whole;     ///< folded, without fillers
-  std::string common;    ///< see `common_phrase`; empty for one word, which may be a name
-  std::vector<std::string> words;
-  std::vector<std::string> common_words;  ///< of each of these
-  std::vector<std::string> identifiers;   ///< words with `_` among others, folded
+  std::string written;                   ///< in lower case, without blanks around it
+  std::string complete;                  ///< folded
+  std::string whole;                     ///< folded, without fillers
+  std::vector<TellingWord> words;        ///< each sense once
+  std::vector<Sense> senses;             ///< of these
+  std::vector<std::string> identifiers;  ///< words with `_` among others, folded
+  bool is_mended = false;                ///< a word was mistyped, and another taken for it
   bool tells_fault = false;
   bool asks_for_message = false;
 
   [[nodiscard]] bool is(std::string const& text) const { return text == whole || text == complete; }
 };
 
-[[nodiscard]] SearchQuery search_query(std::string_view text);
+/// A word that neither a group nor an entry has is taken for the one that it is mistyped from.
+[[nodiscard]] SearchQuery search_query(std::string_view text, std::vector<EntryWord> const& known);
 
 }  // namespace axisc

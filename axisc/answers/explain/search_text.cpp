@@ -26,76 +26,22 @@ constexpr std::string_view plain_letters(char second_byte) {
   }
 }
 
-constexpr std::array<std::string_view, 63> fillers = {
-    "a",   "achse", "alarm",   "am",      "an",    "are",   "at",   "axis",   "bedeutet", "bei",     "code",
-    "das", "den",   "der",     "des",     "die",   "do",    "does", "e",      "ein",      "eine",    "einen",
-    "err", "error", "fault",   "fehler",  "for",   "from",  "fur",  "given",  "heisst",   "how",     "id",
-    "im",  "in",    "is",      "ist",     "kanal", "macht", "mean", "means",  "meldung",  "message", "mit",
-    "msg", "my",    "nr",      "of",      "on",    "p",     "set",  "setzen", "the",      "to",      "too",
-    "und", "von",   "warning", "warnung", "was",   "what",  "wie",  "zu"};
-static_assert(std::is_sorted(fillers.begin(), fillers.end()));
+/// Letters, digits, `#` and the bytes of umlauts.
+constexpr auto is_of_words = [] {
+  std::array<bool, 256> is_part{};
+  for (std::size_t i = 0; i < is_part.size(); ++i) {
+    auto const letter = static_cast<char>(i);
+    is_part[i] = i > 127 || letter == '#' || ascii::is_letter(letter) || ascii::is_digit(letter);
+  }
+  return is_part;
+}();
 
-constexpr std::array<std::string_view, 10> message_words = {
-    "alarm", "err", "error", "fault", "fehler", "meldung", "message", "msg", "warning", "warnung"};
-
-/// Sorted by the first word. Comparatives are left out: "smaller than" is a limit, not a fault.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 46> common_words = {
-    {{"big", "high"},
-     {"differ", "different"},
-     {"differs", "different"},
-     {"doppelt", "twice"},
-     {"doppelte", "twice"},
-     {"doppelter", "twice"},
-     {"double", "twice"},
-     {"duplicate", "twice"},
-     {"falsch", "invalid"},
-     {"falsche", "invalid"},
-     {"falscher", "invalid"},
-     {"fehlen", "without"},
-     {"fehlend", "without"},
-     {"fehlende", "without"},
-     {"fehlt", "without"},
-     {"gross", "high"},
-     {"hoch", "high"},
-     {"illegal", "invalid"},
-     {"incorrect", "invalid"},
-     {"kein", "without"},
-     {"keine", "without"},
-     {"keinen", "without"},
-     {"klein", "low"},
-     {"large", "high"},
-     {"mehrfach", "twice"},
-     {"missing", "without"},
-     {"niedrig", "low"},
-     {"no", "without"},
-     {"ohne", "without"},
-     {"small", "low"},
-     {"unbekannt", "unknown"},
-     {"unbekannte", "unknown"},
-     {"unbekannter", "unknown"},
-     {"unbekanntes", "unknown"},
-     {"ungleich", "different"},
-     {"ungleiche", "different"},
-     {"ungultig", "invalid"},
-     {"ungultige", "invalid"},
-     {"ungultiger", "invalid"},
-     {"unterschiedlich", "different"},
-     {"unterschiedliche", "different"},
-     {"unzulassig", "invalid"},
-     {"verschieden", "different"},
-     {"verschiedene", "different"},
-     {"wrong", "invalid"},
-     {"zweimal", "twice"}}};
-static_assert(std::is_sorted(common_words.begin(), common_words.end()));
-
-constexpr std::array<std::string_view, 15> fault_words = {
-    "ausserhalb", "cannot", "different",     "exceeded", "impossible", "invalid", "nicht", "not",
-    "too",        "twice",  "uberschritten", "unknown",  "unmoglich",  "without", "zu"};
-
-template <std::size_t count>
-bool is_one_of(std::array<std::string_view, count> const& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
+/// Of both languages, by their last letter, longer ones first.
+constexpr std::size_t shortest_stem = 4;
+/// Of two endings the first is short: "filt|er|ing", but "schwing|ung".
+constexpr std::size_t longest_of_two = 3;
+constexpr std::array<std::string_view, 15> endings = {"end", "ed", "e", "ung",  "ing", "em", "ungen", "en",
+                                                      "n",   "er", "r", "ings", "es",  "s",  "t"};
 
 }  // namespace
 
@@ -116,59 +62,48 @@ std::string folded(std::string_view text) {
   return result;
 }
 
-std::vector<std::string> words_of(std::string_view text) {
-  std::vector<std::string> words;
+std::vector<std::string_view> written_words(std::string_view text) {
+  std::vector<std::string_view> words;
   std::size_t begin = 0;
   auto const add = [&](std::size_t end) {
-    auto word = folded(text.substr(begin, end - begin));
-    if (!word.empty()) words.push_back(std::move(word));
+    if (end > begin) words.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   };
   for (std::size_t i = 0; i < text.size(); ++i) {
-    bool const is_part = ascii::is_letter(text[i]) || ascii::is_digit(text[i]) || text[i] == '#' ||
-                         !ascii::is_printable(text[i]);
-    bool const is_blank = text[i] == '\n' || text[i] == '\r' || text[i] == '\t';
-    if (!is_part || is_blank) add(i);
+    if (!is_of_words[static_cast<unsigned char>(text[i])]) add(i);
   }
   add(text.size());
   return words;
 }
 
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words;
+  for (auto const written : written_words(text)) {
+    auto word = folded(written);
+    if (!word.empty()) words.push_back(std::move(word));
+  }
+  return words;
+}
+
+std::string_view stem(std::string_view folded_word) {
+  for (int round = 0; round < 2 && folded_word.size() > shortest_stem; ++round) {
+    for (auto const ending : endings) {
+      bool const may_end = round == 0 || ending.size() < longest_of_two;
+      bool const ends = may_end && ending.back() == folded_word.back() &&
+                        folded_word.size() >= shortest_stem + ending.size() && folded_word.ends_with(ending);
+      if (!ends) continue;
+      folded_word.remove_suffix(ending.size());
+      break;
+    }
+    auto const size = folded_word.size();
+    bool const is_doubled = size > shortest_stem && folded_word[size - 1] == folded_word[size - 2];
+    if (is_doubled) folded_word.remove_suffix(1);
+  }
+  return folded_word;
+}
+
 bool is_number(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), ascii::is_digit);
-}
-
-std::string_view common_word(std::string_view folded_word) {
-  auto const* const found =
-      std::lower_bound(common_words.begin(), common_words.end(), folded_word,
-                       [](auto const& pair, std::string_view word) { return pair.first < word; });
-  return found != common_words.end() && found->first == folded_word ? found->second : folded_word;
-}
-
-std::string common_phrase(std::string_view text) {
-  auto const words = words_of(text);
-  std::string all;
-  std::string telling;
-  std::size_t count = 0;
-  for (auto const& word : words) {
-    all += common_word(word);
-    if (is_filler(word)) continue;
-    telling += common_word(word);
-    ++count;
-  }
-  return count > 1 ? telling : all;
-}
-
-bool tells_a_fault(std::string_view folded_word) {
-  return is_one_of(fault_words, common_word(folded_word));
-}
-
-bool asks_for_message(std::string_view folded_word) {
-  return is_one_of(message_words, folded_word);
-}
-
-bool is_filler(std::string_view folded_word) {
-  return std::binary_search(fillers.begin(), fillers.end(), folded_word);
 }
 
 }  // namespace axisc

@@ -133,7 +133,7 @@ std::vector<schema::Slot> chosen_slots(EffectiveValues const& values, std::strin
     if (!slots.empty()) return slots;
   }
   std::vector const catalogues{catalogue};
-  auto const subject = explain_subject(catalogues, word);
+  auto const subject = find_subject(catalogues, word);
   for (auto const* const row : subject.parameters) add_slots(slots, values, *row);
   if (slots.empty()) refuse(catalogue, word);
   return slots;
