@@ -79,11 +79,11 @@ class LookupWriter {
 
   std::string written_search_words(Json const& lookup) {
     std::string text;
-    for (auto const* const key : {"fillers", "units", "for_messages"}) {
+    for (auto const* const key : {"fillers", "units", "prepositions", "for_messages"}) {
       text += "    " + group(key, lookup.at(key)) + ",\n";
     }
     std::set<std::string> known;
-    for (auto const* const key : {"faults", "degrees", "same"}) {
+    for (auto const* const key : {"faults", "degrees", "actions", "same"}) {
       std::vector<std::string> groups;
       for (Json const& row : lookup.at(key)) {
         for (Json const& word : row) {

@@ -56,9 +56,11 @@ using WordGroup = std::span<std::string_view const>;
 struct SearchWords {
   WordGroup fillers;                   ///< that say nothing about a subject: "the", "wie", "Achse"
   WordGroup units;                     ///< after a number, which says nothing either: "48 Hz"
+  WordGroup prepositions;              ///< before what is beside the point: "beim Bremsen", "in a corner"
   WordGroup for_messages;              ///< by which people ask for a message of the control: "Fehler"
   std::span<WordGroup const> faults;   ///< that tell what is wrong: "missing", "unknown"
   std::span<WordGroup const> degrees;  ///< that do so in some texts: "too high", but not "high-pass"
+  std::span<WordGroup const> actions;  ///< what is to be done: "switch on", "reduce"; less than to what
   std::span<WordGroup const> same;     ///< all others
 };
 

@@ -36,7 +36,7 @@ std::string const any_descriptions =
 
 std::string const no_messages = R"({"messages": []})";
 std::string const no_words =
-    R"("fillers": [], "units": [], "for_messages": [], "faults": [], "degrees": [], "same": [])";
+    R"("fillers": [], "units": [], "prepositions": [], "for_messages": [], "faults": [], "degrees": [], "actions": [], "same": [])";
 std::string const no_lookup = R"({"topics": [], "synonyms": [], )" + no_words + "}";
 
 Outcome generate(std::string const& data, std::string const& descriptions = any_descriptions,
@@ -155,10 +155,11 @@ TEST_CASE("messages and topics name what exists, once, in both languages") {
   CHECK(
       contains(synonyms(R"({"of": "a.b", "words": {"en": ["x", "x"], "de": []}})"), "\"x\" is there twice"));
   auto const groups = [&](std::string const& faults, std::string const& same) {
-    return generate(data, any_descriptions, no_messages,
-                    R"({"topics": [], "synonyms": [], "fillers": ["a"], "units": [], "for_messages": [],)"
-                    R"("degrees": [], "faults": [)" +
-                        faults + R"(], "same": [)" + same + "]}")
+    return generate(
+               data, any_descriptions, no_messages,
+               R"({"topics": [], "synonyms": [], "fillers": ["a"], "units": [], "prepositions": [], "for_messages": [],)"
+               R"("degrees": [], "actions": [], "faults": [)" +
+                   faults + R"(], "same": [)" + same + "]}")
         .message;
   };
   CHECK(groups(R"(["no", "ohne"])", R"(["speed", "velocity"])").empty());

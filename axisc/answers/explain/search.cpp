@@ -21,8 +21,7 @@ bool is_of_axes(SearchEntry const& entry) {
   return parameter == nullptr || (*parameter)->kind == schema::ListKind::axis;
 }
 
-/// Letter by letter there is more to it: "Genauhalt ein" is more than "Genauhalt", although "ein" says nothing
-/// elsewhere.
+/// Letter by letter there is more to it than in other words, and more so with its fillers: "Genauhalt ein".
 std::size_t exactness(Phrase const& phrase, SearchQuery const& query) {
   if (phrase.folded == query.complete) return 4;
   if (phrase.folded == query.whole) return 3;
@@ -106,6 +105,11 @@ bool is_path(SearchQuery const& query) {
   return !has_blank && point != std::string::npos && point + 1 < query.written.size();
 }
 
+/// Names are compared letter by letter, whatever their words mean.
+bool may_be_mistyped(SearchQuery const& query) {
+  return query.is_mended || query.written.find_first_of("-_") != std::string::npos;
+}
+
 /// Whoever writes a name as programs have it means names.
 void keep_names(std::vector<Hit>& hits, SearchQuery const& query, bool is_spelled_so) {
   bool const is_identifier = query.written.find_first_of("_.[") != std::string::npos;
@@ -117,6 +121,9 @@ void keep_names(std::vector<Hit>& hits, SearchQuery const& query, bool is_spelle
   // A part that is longer or shorter than in the name, `vib_guard.frequency`, is better than nothing.
   bool const is_near_names =
       std::any_of(hits.begin(), hits.end(), [](Hit const& hit) { return hit.likeness <= Likeness::slip; });
+  if (is_identifier && is_near_names) {
+    std::erase_if(hits, [](Hit const& hit) { return hit.likeness > Likeness::slip; });
+  }
   if (is_path(query)) {
     std::erase_if(hits, [&](Hit const& hit) {
       bool const is_parameter = std::holds_alternative<schema::Parameter const*>(hit.subject);
@@ -124,8 +131,7 @@ void keep_names(std::vector<Hit>& hits, SearchQuery const& query, bool is_spelle
     });
   }
   // Words that are spelled as elsewhere are not mistyped.
-  bool const is_hyphenated = query.written.find('-') != std::string::npos;
-  if (is_spelled_so && !is_hyphenated) {
+  if (is_spelled_so && !may_be_mistyped(query)) {
     std::erase_if(hits, [](Hit const& hit) { return hit.likeness == Likeness::slip; });
   }
 }
@@ -151,7 +157,6 @@ std::vector<Hit> search(SearchEntries const& all, std::string_view text) {
   std::vector<Candidate> by_words;
   std::vector<std::size_t> words_of_all(query.words.size());
   bool is_spelled_so = false;
-  bool const is_hyphenated = query.written.find('-') != std::string::npos;
   for (auto const& entry : all.entries) {
     auto hit = exact_hit(entry, query);
     if (!hit) hit = part_of_name(entry, query);
@@ -161,7 +166,7 @@ std::vector<Hit> search(SearchEntries const& all, std::string_view text) {
     }
     bool const has_all = found.words == query.words.size() && found.is_spelled_so;
     is_spelled_so = is_spelled_so || has_all;
-    if (!hit && (!has_all || is_hyphenated)) hit = slip(entry, query);
+    if (!hit && (!has_all || may_be_mistyped(query))) hit = slip(entry, query);
     if (hit) {
       hits.push_back(*std::move(hit));
     } else if (found.words > 0) {

@@ -48,6 +48,7 @@ class Entries {
       }
       rest.remove_prefix(std::min(rest.size(), part.size() + 1));
     }
+    if (parameter.kind == schema::ListKind::axis) add_last_part(entry);
     add_synonyms(entry, parameter.name);
     auto const number = schema::number_text(parameter.kind, parameter.p_axis);
     if (!number.empty()) add_synonyms(entry, number);
@@ -117,6 +118,14 @@ class Entries {
       words_.add_word_of_name(entry.name_words, word.folded);
     }
     entry.phrases.push_back(std::move(phrase));
+  }
+
+  /// `temp_comp_coefficient` says as much as people's words, `order` does not.
+  void add_last_part(SearchEntry& entry) {
+    auto const& part = entry.name_parts.back().written;
+    if (part.find('_') == std::string::npos) return;
+    add_phrase(entry, part);
+    entry.phrases.back().folded.clear();
   }
 
   void add_meaning(SearchEntry& entry, Page const& page) {

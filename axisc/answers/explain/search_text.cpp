@@ -38,7 +38,8 @@ constexpr auto is_of_words = [] {
 
 /// Of both languages, by their last letter, longer ones first.
 constexpr std::size_t shortest_stem = 4;
-/// Of two endings the first is short: "filt|er|ing", but "schwing|ung".
+constexpr std::size_t shortest_without_s = 3;
+/// Only the last of several endings is long: "filt|er|ing", but "schwing|ung".
 constexpr std::size_t longest_of_two = 3;
 constexpr std::array<std::string_view, 15> endings = {"end", "ed", "e", "ung",  "ing", "em", "ungen", "en",
                                                       "n",   "er", "r", "ings", "es",  "s",  "t"};
@@ -86,17 +87,21 @@ std::vector<std::string> words_of(std::string_view text) {
 }
 
 std::string_view stem(std::string_view folded_word) {
-  for (int round = 0; round < 2 && folded_word.size() > shortest_stem; ++round) {
+  bool may_be_long = true;
+  for (std::size_t before = 0; before != folded_word.size();) {
+    before = folded_word.size();
     for (auto const ending : endings) {
-      bool const may_end = round == 0 || ending.size() < longest_of_two;
-      bool const ends = may_end && ending.back() == folded_word.back() &&
-                        folded_word.size() >= shortest_stem + ending.size() && folded_word.ends_with(ending);
+      bool const is_plural = may_be_long && ending == "s";
+      auto const shortest = is_plural ? shortest_without_s : shortest_stem;
+      bool const ends = (may_be_long || ending.size() < longest_of_two) &&
+                        folded_word.size() >= shortest + ending.size() && folded_word.ends_with(ending);
       if (!ends) continue;
       folded_word.remove_suffix(ending.size());
       break;
     }
+    may_be_long = false;
     auto const size = folded_word.size();
-    bool const is_doubled = size > shortest_stem && folded_word[size - 1] == folded_word[size - 2];
+    bool const is_doubled = size > shortest_without_s && folded_word[size - 1] == folded_word[size - 2];
     if (is_doubled) folded_word.remove_suffix(1);
   }
   return folded_word;

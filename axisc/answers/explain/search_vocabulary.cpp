@@ -37,7 +37,7 @@ bool is_figure(std::string_view word, std::unordered_set<std::size_t> const& uni
 }
 
 /// How much a word says, the least first.
-enum class Weight : std::uint8_t { none, filler, figure, fault, telling };
+enum class Weight : std::uint8_t { none, filler, figure, weak, telling };
 
 struct Weighed {
   TellingWord word;
@@ -53,6 +53,7 @@ void add_once(std::vector<Sense>& senses, Sense sense) {
 Vocabulary::Vocabulary()
     : fillers_(hashes_of(schema::search_words().fillers)),
       units_(hashes_of(schema::search_words().units)),
+      prepositions_(hashes_of(schema::search_words().prepositions)),
       for_messages_(hashes_of(schema::search_words().for_messages)) {
   std::vector<std::pair<Sense, Sense>> stems;
   auto const add = [&](std::span<schema::WordGroup const> groups, std::unordered_set<Sense>* kind) {
@@ -69,6 +70,7 @@ Vocabulary::Vocabulary()
   auto const& words = schema::search_words();
   add(words.faults, &faults_);
   add(words.degrees, &degrees_);
+  add(words.actions, &actions_);
   add(words.same, nullptr);
   // A word as it is comes before what its stem has in common with others: "highest" is not "high".
   for (auto const& [stem, sense] : stems) groups_.emplace(stem, sense);
@@ -115,6 +117,7 @@ TellingWords Vocabulary::telling_words(std::string_view text) const {
   TellingWords telling;
   std::vector<Weighed> all;
   auto most = Weight::none;
+  bool is_beside = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
     auto joined = words[i];
     std::size_t joins = 0;
@@ -129,18 +132,19 @@ TellingWords Vocabulary::telling_words(std::string_view text) const {
     bool const is_last = i > 0 && i + 1 == words.size() && is_known(joined);
     bool const is_unit = i > 0 && is_number(words[i - 1]) && units_.contains(hash_of(joined));
     bool const may_fill = joins == 0 && !is_last;
+    is_beside = is_beside || (most == Weight::telling && prepositions_.contains(hash_of(words[i])));
     telling.ask_for_message = telling.ask_for_message || for_messages_.contains(hash_of(joined));
     for (auto const sense : senses_of(joined)) {
-      auto weight = is_of_faults(sense) ? Weight::fault : Weight::telling;
+      auto weight = is_of_faults(sense) || is_action(sense) ? Weight::weak : Weight::telling;
       if (may_fill && is_figure(joined, units_)) weight = Weight::figure;
       if (may_fill && (is_filler(joined) || is_unit)) weight = Weight::filler;
       most = std::max(most, weight);
-      all.push_back({.word = {.folded = joined, .sense = sense}, .weight = weight});
+      all.push_back({.word = {.folded = joined, .sense = sense, .is_beside = is_beside}, .weight = weight});
     }
     i += joins;
   }
-  // Beside nothing but a fault fillers tell what is meant: "unknown axis", "value missing".
-  auto const least = most == Weight::telling ? Weight::fault : most == Weight::figure ? most : Weight::none;
+  // Beside nothing but a fault or an action fillers tell what is meant: "unknown axis", "value missing".
+  auto const least = most == Weight::telling ? Weight::weak : most == Weight::figure ? most : Weight::none;
   for (auto& [word, weight] : all) {
     if (weight >= least) telling.words.push_back(std::move(word));
   }

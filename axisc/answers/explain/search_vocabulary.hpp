@@ -19,6 +19,7 @@ using Sense = std::size_t;
 struct TellingWord {
   std::string folded;  ///< as it is written, several as one: "positionlag"
   Sense sense = 0;
+  bool is_beside = false;  ///< behind a preposition: "beim Bremsen", "in a corner"
 };
 
 struct TellingWords {
@@ -45,6 +46,8 @@ class Vocabulary {
 
   [[nodiscard]] bool is_filler(std::string_view folded_word) const;
   [[nodiscard]] bool tells_fault(Sense sense) const { return faults_.contains(sense); }
+  /// "reduce" says less than what is to be reduced.
+  [[nodiscard]] bool is_action(Sense sense) const { return actions_.contains(sense); }
   /// "high" in "high cut" tells no fault: such words mean themselves alone but in rules and messages.
   [[nodiscard]] bool is_of_faults(Sense sense) const {
     return faults_.contains(sense) || degrees_.contains(sense);
@@ -59,9 +62,11 @@ class Vocabulary {
   std::vector<std::string> words_;           ///< of groups, folded
   std::unordered_set<Sense> faults_;
   std::unordered_set<Sense> degrees_;
+  std::unordered_set<Sense> actions_;
   std::unordered_set<std::size_t> fillers_;  ///< hashes, as of the units and the words for messages
   std::unordered_set<Sense> filling_stems_;
   std::unordered_set<std::size_t> units_;
+  std::unordered_set<std::size_t> prepositions_;
   std::unordered_set<std::size_t> for_messages_;
 };
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace axisc {
 
@@ -44,7 +46,7 @@ std::uint8_t points_in_a_name(Fit fit) {
     case Fit::beginning: return 5;
     case Fit::part:
     case Fit::mistyped: return 4;
-    case Fit::composed: return 2;
+    case Fit::composed: return 1;
     case Fit::none: break;
   }
   return 0;
@@ -107,19 +109,25 @@ Coverage coverage(SearchEntry const& entry, SearchQuery const& query, Fits const
 FoundPhrase found_phrase(SearchEntry const& entry, SearchQuery const& query) {
   FoundPhrase best;
   best.missing = 1;
-  std::vector<bool> has(query.words.size());
   for (auto const& phrase : entry.phrases) {
     if (phrase.asks_for_message && !query.asks_for_message) continue;
-    std::size_t words = 0;
-    for (std::size_t i = 0; i < query.words.size(); ++i) {
-      has[i] =
-          std::find(phrase.senses.begin(), phrase.senses.end(), query.words[i].sense) != phrase.senses.end();
-      if (has[i]) ++words;
+    FoundPhrase found;
+    found.has.resize(query.words.size());
+    std::size_t telling = 0;
+    for (auto const sense : phrase.senses) {
+      auto const word = std::find(query.senses.begin(), query.senses.end(), sense) - query.senses.begin();
+      bool const is_there = static_cast<std::size_t>(word) < query.senses.size();
+      bool const is_action = vocabulary().is_action(sense);
+      if (is_there) found.has[static_cast<std::size_t>(word)] = true;
+      if (is_there) ++found.words;
+      if (is_there && !is_action) ++telling;
+      if (!is_there) ++(is_action ? found.other_actions : found.missing);
     }
-    if (words == 0) continue;
-    auto const missing = phrase.senses.size() - words;
-    bool const is_better = std::pair(missing == 0, words) > std::pair(best.missing == 0, best.words);
-    if (is_better) best = {.words = words, .missing = missing, .has = has};
+    if (telling == 0 && found.words < query.words.size()) continue;
+    auto const rank = [](FoundPhrase const& one) {
+      return std::tuple(one.missing == 0, one.words, -static_cast<int>(one.other_actions));
+    };
+    if (found.words > 0 && rank(found) > rank(best)) best = std::move(found);
   }
   return best;
 }

@@ -43,8 +43,9 @@ struct Coverage {
 /// Words of the query that are the name of the entry, its title, or people's words for it, in any order.
 struct FoundPhrase {
   std::size_t words = 0;
-  std::size_t missing = 0;  ///< that the phrase has beside them
-  std::vector<bool> has;    ///< for each word of the query
+  std::size_t missing = 0;        ///< that the phrase has beside them
+  std::size_t other_actions = 0;  ///< that it has beside them, "off" instead of "on": no words are missing
+  std::vector<bool> has;          ///< for each word of the query
 };
 
 /// The longest phrase without missing words, or else the one of which most words are there.
