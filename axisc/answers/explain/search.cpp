@@ -25,8 +25,9 @@ bool is_of_axes(SearchEntry const& entry) {
 std::size_t exactness(Phrase const& phrase, SearchQuery const& query) {
   if (phrase.folded == query.complete) return 4;
   if (phrase.folded == query.whole) return 3;
-  // Whoever writes `filter_fir` means a name, not a FIR filter.
-  if (!query.identifiers.empty()) return 0;
+  // Whoever writes `filter_fir` means a name, not a FIR filter; whoever says "delay time" means none of those
+  // many parameters whose names end in `delay_time`.
+  if (!query.identifiers.empty() || phrase.folded.empty()) return 0;
   bool const is_same = !phrase.senses.empty() && phrase.senses.size() == query.senses.size() &&
                        std::is_permutation(phrase.senses.begin(), phrase.senses.end(), query.senses.begin());
   if (!is_same || (phrase.asks_for_message && !query.asks_for_message)) return 0;

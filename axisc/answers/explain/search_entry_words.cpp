@@ -47,14 +47,13 @@ std::uint32_t EntryWords::place_of(std::string_view written) {
 std::vector<EntryWord> EntryWords::take() && {
   for (std::size_t i = 0; i < words_.size(); ++i) {
     auto& word = words_[i];
-    word.is_known = vocabulary().is_known(word.folded);
     // Composed words of descriptions are many, and found by their parts as they are spelled.
-    bool const may_be_composed = is_of_a_name_[i] && !word.is_known;
-    if (may_be_composed) {
+    if (is_of_a_name_[i]) {
       word.senses = vocabulary().senses_of(word.folded);
     } else {
       word.senses = {vocabulary().sense_of(word.folded)};
     }
+    word.is_known = vocabulary().is_known(word.folded);
   }
   return std::move(words_);
 }

@@ -93,7 +93,8 @@ std::string_view stem(std::string_view folded_word) {
     for (auto const ending : endings) {
       bool const is_plural = may_be_long && ending == "s";
       auto const shortest = is_plural ? shortest_without_s : shortest_stem;
-      bool const ends = (may_be_long || ending.size() < longest_of_two) &&
+      bool const ends = ending.back() == folded_word.back() &&
+                        (may_be_long || ending.size() < longest_of_two) &&
                         folded_word.size() >= shortest + ending.size() && folded_word.ends_with(ending);
       if (!ends) continue;
       folded_word.remove_suffix(ending.size());

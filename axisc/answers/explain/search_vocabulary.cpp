@@ -61,6 +61,8 @@ Vocabulary::Vocabulary()
       auto const sense = hash_of(folded(group.front()));
       for (auto const word : group) {
         words_.push_back(folded(word));
+        auto const parts = words_of(word);
+        if (parts.size() > 1) beginnings_.insert(hash_of(parts.front()));
         groups_.emplace(hash_of(words_.back()), sense);
         stems.emplace_back(own_sense(words_.back()), sense);
       }
@@ -122,7 +124,8 @@ TellingWords Vocabulary::telling_words(std::string_view text) const {
     auto joined = words[i];
     std::size_t joins = 0;
     auto longer = joined;
-    for (std::size_t k = 1; k < most_joined && i + k < words.size(); ++k) {
+    bool const begins = beginnings_.contains(hash_of(joined));
+    for (std::size_t k = 1; begins && k < most_joined && i + k < words.size(); ++k) {
       longer += words[i + k];
       if (!is_known(longer)) continue;
       joined = longer;

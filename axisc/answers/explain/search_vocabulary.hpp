@@ -58,8 +58,9 @@ class Vocabulary {
   [[nodiscard]] Sense const* group_of(std::string_view folded_word) const;
   [[nodiscard]] bool add_parts(std::vector<Sense>& senses, std::string_view composed) const;
 
-  std::unordered_map<Sense, Sense> groups_;  ///< by the hashes of their words and of the stems of these
-  std::vector<std::string> words_;           ///< of groups, folded
+  std::unordered_map<Sense, Sense> groups_;     ///< by the hashes of their words and of the stems of these
+  std::unordered_set<std::size_t> beginnings_;  ///< of those that have several words
+  std::vector<std::string> words_;              ///< of groups, folded
   std::unordered_set<Sense> faults_;
   std::unordered_set<Sense> degrees_;
   std::unordered_set<Sense> actions_;
