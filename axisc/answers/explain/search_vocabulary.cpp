@@ -13,7 +13,7 @@ namespace axisc {
 
 namespace {
 
-constexpr std::size_t shortest_part = 4;
+constexpr std::size_t shortest_word_part = 4;
 constexpr std::size_t most_joined = 3;
 
 std::size_t hash_of(std::string_view folded_word) {
@@ -92,9 +92,9 @@ Sense Vocabulary::sense_of(std::string_view folded_word) const {
 
 /// All parts must be known; the longest first part wins: "Grenz|frequenz" is a word of its own elsewhere.
 bool Vocabulary::add_parts(std::vector<Sense>& senses, std::string_view composed) const {
-  for (std::size_t size = composed.size(); size >= shortest_part; --size) {
+  for (std::size_t size = composed.size(); size >= shortest_word_part; --size) {
     auto const rest = composed.substr(size);
-    if (!rest.empty() && rest.size() < shortest_part) continue;
+    if (!rest.empty() && rest.size() < shortest_word_part) continue;
     auto const part = composed.substr(0, size);
     auto const* const group = group_of(part);
     if (group == nullptr && !filling_stems_.contains(own_sense(part))) continue;
@@ -110,7 +110,7 @@ std::vector<Sense> Vocabulary::senses_of(std::string_view folded_word) const {
   if (auto const* const group = group_of(folded_word)) return {*group};
   std::vector<Sense> senses;
   bool const is_composed =
-      folded_word.size() >= 2 * shortest_part && add_parts(senses, folded_word) && !senses.empty();
+      folded_word.size() >= 2 * shortest_word_part && add_parts(senses, folded_word) && !senses.empty();
   return is_composed ? senses : std::vector{own_sense(folded_word)};
 }
 
