@@ -99,13 +99,6 @@ std::optional<Hit> slip(SearchEntry const& entry, SearchQuery const& query) {
   return best;
 }
 
-/// The whole name of a parameter, `getriebe[0].kv`: words that only its meaning has are not meant.
-bool is_path(SearchQuery const& query) {
-  auto const point = query.written.find('.');
-  bool const has_blank = query.written.find(' ') != std::string::npos;
-  return !has_blank && point != std::string::npos && point + 1 < query.written.size();
-}
-
 /// Names are compared letter by letter, whatever their words mean.
 bool may_be_mistyped(SearchQuery const& query) {
   return query.is_mended || query.written.find_first_of("-_") != std::string::npos;
@@ -125,10 +118,11 @@ void keep_names(std::vector<Hit>& hits, SearchQuery const& query, bool is_spelle
   if (is_identifier && is_near_names) {
     std::erase_if(hits, [](Hit const& hit) { return hit.likeness > Likeness::slip; });
   }
-  if (is_path(query)) {
+  if (query.is_path) {
     std::erase_if(hits, [&](Hit const& hit) {
       bool const is_parameter = std::holds_alternative<schema::Parameter const*>(hit.subject);
-      return hit.likeness > (is_near_names ? Likeness::slip : Likeness::words) || !is_parameter;
+      return hit.likeness > (is_near_names ? Likeness::slip : Likeness::words) || !is_parameter ||
+             !hit.is_named;
     });
   }
   // Words that are spelled as elsewhere are not mistyped.

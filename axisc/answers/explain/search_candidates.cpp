@@ -56,7 +56,7 @@ Hit hit_of(Candidate const& candidate, std::vector<std::size_t> const& weights, 
   constexpr std::size_t other_action = 20;
   auto const& found = candidate.found;
   auto const phrase = found_phrase(*candidate.entry, query);
-  bool const has_phrase = phrase.missing == 0;
+  bool const has_phrase = phrase.missing == 0 && !query.is_path;
   auto const missing = query.words.size() - found.words;
   auto points = has_subject(query, found) || has_phrase ? preference(*candidate.entry, query) : 0;
   if (has_subject(query, found)) points += all_words;

@@ -20,6 +20,13 @@ std::vector<std::string> identifiers_in(std::string_view text) {
   return identifiers;
 }
 
+/// The whole name of a parameter, `getriebe[0].kv`: words that only its meaning has are not meant.
+bool is_path(std::string_view written) {
+  auto const point = written.find('.');
+  bool const has_blank = written.find(' ') != std::string_view::npos;
+  return !has_blank && point != std::string_view::npos && point + 1 < written.size();
+}
+
 /// True for "schleppabstadn", which is meant otherwise.
 bool mend(TellingWord& word, std::vector<EntryWord> const& known) {
   // Parts of composed words are known.
@@ -45,6 +52,7 @@ SearchQuery search_query(std::string_view text, std::vector<EntryWord> const& kn
   for (auto const& word : words_of(text)) {
     query.tells_fault = query.tells_fault || vocabulary().tells_fault(vocabulary().sense_of(word));
   }
+  query.is_path = is_path(query.written);
   auto telling = vocabulary().telling_words(text);
   query.asks_for_message = telling.ask_for_message;
   for (auto& word : telling.words) {

@@ -16,6 +16,7 @@ struct SearchQuery {
   std::vector<TellingWord> words;        ///< each sense once
   std::vector<Sense> senses;             ///< of these
   std::vector<std::string> identifiers;  ///< words with `_` among others, folded
+  bool is_path = false;                  ///< a name with its parts, as lists write it
   bool is_mended = false;                ///< a word was mistyped, and another taken for it
   bool tells_fault = false;
   bool asks_for_message = false;

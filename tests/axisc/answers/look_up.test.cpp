@@ -365,6 +365,12 @@ TEST_CASE("a number that no message has is not taken for another") {
   CHECK_THAT(failure("xyzzy"), Catch::Matchers::StartsWith("nothing is found for \"xyzzy\": "));
   CHECK_THAT(failure("G999"), Catch::Matchers::StartsWith("nothing is found for \"G999\""));
   CHECK_THAT(failure("?"), Catch::Matchers::StartsWith("nothing is found for \"?\": "));
+  // A path is not taken for what its words mean elsewhere.
+  for (auto const* const path :
+       {"getriebe[].new_limit", "getriebe[].qwertz", "filter[0].xyzzy", "antr.abc"}) {
+    CHECK_THAT(failure(path),
+               Catch::Matchers::StartsWith("nothing is found for \"" + std::string(path) + "\""));
+  }
 }
 
 TEST_CASE("every topic and every synonym refers to something that exists") {
