@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing from Debian packages. Does nothing, and needs no rights, where everything is there.
 #   ./setup.sh        what building and testing needs
-#   ./setup.sh ci     and what the checks need: clang tools, cross compilers, emulators, shells, editors, node, a browser
-#   ./setup.sh long   and what .ci/long needs: libraries of another processor, tools for packages, emscripten, LinuxCNC
+#   ./setup.sh ci     and what the checks need: clang tools, cross compilers, emulators, emscripten, shells, editors, node, a browser
+#   ./setup.sh long   and what .ci/long needs: libraries of another processor, tools for packages, LinuxCNC
 set -euo pipefail
 
 packages=(
@@ -20,6 +20,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
     neovim emacs-nox elpa-eglot chromium
     python3-venv
     gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm
+    emscripten lintian
   )
 fi
 if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
@@ -29,7 +30,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
 fi
 if [ "${1:-}" = long ]; then
   packages+=(libsodium-dev:arm64 libpugixml-dev:arm64 zlib1g-dev:arm64)
-  packages+=(mono-mcs mono-runtime lintian mmdebstrap buildah pre-commit mkdocs-material emscripten linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
+  packages+=(mono-mcs mono-runtime mmdebstrap buildah pre-commit mkdocs-material linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
 fi
 
 missing=()
