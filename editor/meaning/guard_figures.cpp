@@ -63,7 +63,7 @@ std::string guard_text(design::KernelSpecification const& guard, validator::Load
     double const residual = 100 * design::residual_at_design(kernel, guard, cycle_time);
     arguments.push_back({"residual", short_number(residual)});
   }
-  auto const figures = say(band ? says::with_band : says::without_band, language, std::move(arguments));
+  auto figures = say(band ? says::with_band : says::without_band, language, std::move(arguments));
   auto const& limit = axis.merged.values.at("getriebe[].dynamik.vb_max");
   bool const is_straight = axis.type == machine::AxisType::translatory;
   if (!is_straight || limit.unusable || !(limit.value.number > 0)) return figures;

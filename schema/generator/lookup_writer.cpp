@@ -124,7 +124,7 @@ class LookupWriter {
   /// A constant of its own, as the tables refer to them.
   std::string array(std::string_view type, std::vector<std::string> const& elements) {
     if (elements.empty()) return "{}";
-    auto const name = "array_" + std::to_string(array_count_++);
+    auto name = "array_" + std::to_string(array_count_++);
     arrays_ << "constexpr " << type << " " << name << "[] = {";
     for (std::string const& element : elements) arrays_ << element << ", ";
     arrays_ << "};\n";

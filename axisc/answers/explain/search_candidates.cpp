@@ -104,8 +104,9 @@ std::vector<Hit> fitting_words(std::vector<Candidate> const& candidates,
   for (std::size_t i = 0; i < all.size(); ++i) {
     auto& hit = all[i];
     bool const has_enough = candidates[i].found.words * 2 >= query.words.size();
-    if (!is_good(hit) && has_enough && best_of_good > 0 && hit.points > best_of_good)
+    if (!is_good(hit) && has_enough && best_of_good > 0 && hit.points > best_of_good) {
       hit.likeness = Likeness::words;
+    }
     if (is_good(hit) || candidates[i].found.words == most_words) hits.push_back(std::move(hit));
   }
   return hits;

@@ -25,6 +25,7 @@ namespace {
 
 std::vector<pictures::Point> closed(std::vector<motion::Point> const& path) {
   std::vector<pictures::Point> points;
+  points.reserve(path.size() + 1);
   for (auto const& point : path) points.push_back({.x = point[0], .y = point[1]});
   points.push_back(points.front());
   return points;
