@@ -92,7 +92,8 @@ bool VelocitySearch::raise(double tolerance) {
   if (next >= exceeded) next = (kept + exceeded) / 2;
   velocity_before = velocity;
   error_before = error;
-  velocity = next >= fastest ? unlimited : next;
+  velocity = next;
+  if (next >= fastest) velocity = unlimited;
   return true;
 }
 

@@ -49,16 +49,18 @@ std::optional<DecimalNumber> parse_number(std::string_view text) {
   if (is_negative || text.starts_with('+')) ++at;
   std::size_t const begin = at;
   std::uint64_t digits = 0;
-  while (at < text.size() && ascii::is_digit(text[at]))
+  while (at < text.size() && ascii::is_digit(text[at])) {
     digits = digits * 10 + static_cast<unsigned char>(text[at++] - '0');
+  }
   std::size_t count = at - begin;
   std::size_t decimals = 0;
   DecimalMark mark = DecimalMark::none;
   if (count > 0 && at < text.size() && (text[at] == '.' || text[at] == ',')) {
     mark = mark_of(text[at++]);
     std::size_t const first = at;
-    while (at < text.size() && ascii::is_digit(text[at]))
+    while (at < text.size() && ascii::is_digit(text[at])) {
       digits = digits * 10 + static_cast<unsigned char>(text[at++] - '0');
+    }
     decimals = at - first;
     count += decimals;
   }

@@ -26,7 +26,7 @@ class RowGroups {
   [[nodiscard]] std::optional<BadRecording> add_group(FieldGroup const& group, std::uint64_t number);
   void add_sample(FieldGroup const& group, std::uint64_t number, double time);
   [[nodiscard]] std::optional<DecimalNumber> number_of(std::string_view field);
-  void break_clock(Clock& clock, ClockProblem problem, std::uint64_t number, std::string_view text);
+  static void break_clock(Clock& clock, ClockProblem problem, std::uint64_t number, std::string_view text);
   [[nodiscard]] bool is_blank(FieldGroup const& group) const;
   [[nodiscard]] std::optional<BadRecording> different_spans() const;
 

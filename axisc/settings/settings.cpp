@@ -41,7 +41,6 @@ using configuration::by;
 using configuration::into;
 using configuration::JsonDocument;
 using configuration::JsonKey;
-using configuration::JsonReading;
 using configuration::JsonShape;
 using configuration::JsonValue;
 using Kind = configuration::JsonShapeKind;
@@ -72,7 +71,7 @@ void store_codes(JsonDocument const& document, JsonValue const& value, Target& t
 
 void store_severities(JsonDocument const& document, JsonValue const& value, Settings& settings) {
   for (auto const& member : value.members) {
-    auto const word = std::find(severities.begin(), severities.end(), document[member.value].string);
+    auto const* const word = std::find(severities.begin(), severities.end(), document[member.value].string);
     settings.severities[*find_code(member.key)] = static_cast<Severity>(word - severities.begin());
   }
 }

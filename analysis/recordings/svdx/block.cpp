@@ -13,7 +13,7 @@ namespace axisc::recordings {
 namespace {
 
 constexpr std::string_view version = "01.00.00.40";
-constexpr std::size_t block_head_size = version.size() + 7 * 8;
+constexpr std::size_t block_head_size = version.size() + std::size_t{7} * 8;
 constexpr std::size_t level_size = 56;
 constexpr std::size_t most_levels = 64;
 constexpr std::uint64_t per_entry = 16;
@@ -130,7 +130,9 @@ class Samples {
       for (std::uint32_t n = 0; n < samples; ++n, at += 4 + sizeof(Number)) {
         auto const value = number_at<Number>(block_.bytes, at + 4);
         std::uint64_t bits = 0;
-        if constexpr (std::is_integral_v<Number>) bits = static_cast<std::uint64_t>(value);
+        if constexpr (std::is_integral_v<Number>) {
+          bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
+        }
         receive(base + number_at<std::uint32_t>(block_.bytes, at), static_cast<double>(value), bits);
       }
     }
@@ -161,8 +163,9 @@ std::variant<BlockHead, BadRecording> read_block_head(SvdxBlock const& block, Sa
   bool const is_sound = head.start <= head.first && head.first <= head.last && word(5) == per_entry &&
                         head.sample_time > 0 && levels >= 1 && levels <= most_levels;
   if (!is_sound) return bad(RecordingProblem::bad_block, version.size());
-  if ((bytes.size() - block_head_size) / level_size < levels)
+  if ((bytes.size() - block_head_size) / level_size < levels) {
     return bad(RecordingProblem::bad_block, block_head_size);
+  }
   head.levels.resize(levels);
   std::size_t end = block_head_size + level_size * levels;
   auto const entry_size = time_size + 2 * size_of(type);

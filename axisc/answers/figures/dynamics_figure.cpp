@@ -149,7 +149,8 @@ class DynamicsFigure {
   [[nodiscard]] std::string distance() const {
     std::string const number = exact_number(wanted_.distance_mm).in(subject_.language);
     std::vector<std::string> distances;
-    for (auto const& unit : units_) distances.push_back(number + (unit == "°" ? "" : " ") + unit);
+    for (auto const& unit : units_)
+      distances.emplace_back(number).append(unit == "°" ? "" : " ").append(unit);
     return joined(distances);
   }
 
@@ -159,10 +160,10 @@ class DynamicsFigure {
   }
 
   [[nodiscard]] std::string title() const {
-    auto const title = subject_.say(says::dynamics_title, {{"axes", joined(names_)},
-                                                           {"distance", distance()},
-                                                           {"feed", exact_number(wanted_.feed_mm_per_min)},
-                                                           {"slope", joined(slopes_)}});
+    auto title = subject_.say(says::dynamics_title, {{"axes", joined(names_)},
+                                                     {"distance", distance()},
+                                                     {"feed", exact_number(wanted_.feed_mm_per_min)},
+                                                     {"slope", joined(slopes_)}});
     if (uncomputed_.empty()) return title;
     return subject_.say(says::dynamics_without, {{"title", title}, {"parameters", joined(uncomputed_)}});
   }

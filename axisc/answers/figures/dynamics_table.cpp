@@ -163,6 +163,7 @@ class AxisTable {
         Ramp{says::down_build_up, &motion::AxisMode::down, &motion::AxisRamp::build_up},
         Ramp{says::down_take_back, &motion::AxisMode::down, &motion::AxisRamp::take_back}};
     std::vector<Cells> found;
+    found.reserve(ramps.size());
     for (auto const& each : ramps) {
       found.push_back(cells([&](Column const& column) {
         auto const& ramp = column.mode.*each.ramp;

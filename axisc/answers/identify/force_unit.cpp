@@ -28,8 +28,9 @@ constexpr std::array known_units{KnownUnit{"N", ForceKind::newton, 1},
 ForceUnit force_unit_of(std::string_view named) {
   auto const* const found = std::find_if(known_units.begin(), known_units.end(),
                                          [named](KnownUnit const& one) { return one.name == named; });
-  if (found == known_units.end())
+  if (found == known_units.end()) {
     return {.kind = ForceKind::other, .factor = 1, .symbol = std::string(named)};
+  }
   return {
       .kind = found->kind, .factor = found->factor, .symbol = found->kind == ForceKind::newton ? "N" : "Nm"};
 }
