@@ -149,8 +149,9 @@ class DynamicsFigure {
   [[nodiscard]] std::string distance() const {
     std::string const number = exact_number(wanted_.distance_mm).in(subject_.language);
     std::vector<std::string> distances;
-    for (auto const& unit : units_)
+    for (auto const& unit : units_) {
       distances.emplace_back(number).append(unit == "°" ? "" : " ").append(unit);
+    }
     return joined(distances);
   }
 
