@@ -151,7 +151,7 @@ motion::PlantParameters read_plant(std::string const& path, std::string const& a
 
 PlantValue const* find_plant_value(std::vector<PlantValue> const& values, std::string_view key) {
   auto const found =
-      std::find_if(values.begin(), values.end(), [key](PlantValue const& one) { return one.key == key; });
+      std::find_if(values.begin(), values.end(), [key](PlantValue const& each) { return each.key == key; });
   return found == values.end() ? nullptr : &*found;
 }
 
