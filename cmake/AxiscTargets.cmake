@@ -56,8 +56,8 @@ function(axisc_without_sanitizers)
 endfunction()
 
 # What a shared library contains: position-independent, and its names stay inside unless a header shows them.
-# Programs link the same objects, so that nothing is compiled twice; the static one, too, whose tree a compiler
-# cache then fills.
+# Programs link the same objects, so that nothing is compiled twice; the static one, too: a compiler cache then
+# fills its tree.
 function(axisc_shareable target)
   if(AXISC_SHARED OR AXISC_STATIC)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden
@@ -87,9 +87,9 @@ function(axisc_standard_headers)
   target_precompile_headers(axisc_standard_headers PRIVATE ${AXISC_STANDARD_HEADERS})
 endfunction()
 
-# With AXISC_BATCHES the compiler reads up to ten sources of a folder at once: it instantiates what they share
-# once, which is half of what they cost one by one. `list` of sources becomes one of files that include them, by
-# paths that are the same in every checkout, as a compiler cache needs it (CMake's own UNITY_BUILD has others).
+# With AXISC_BATCHES the compiler reads up to ten sources of a folder at once, and instantiates once what they
+# share: more than half of what they cost one by one. `list` of sources becomes one of files that include them,
+# by paths that are the same in every checkout, as a compiler cache needs it (UNITY_BUILD has others).
 function(axisc_batches list)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE library)
   set(batches "")
@@ -116,8 +116,8 @@ endfunction()
 # makes the target axisc_grammar of all sources in the folder and below it, except those under EXCEPT (paths
 # relative to the folder); SOURCES adds sources that the build writes. DEPENDS without "::" are folders of
 # this project. OF_PROGRAM: no part of libaxisc. HEADERS are included by nearly all of its sources: read once, together with the standard ones.
-# IN_BATCHES: names in unnamed namespaces and sentences differ within a folder, so that its sources may be compiled together; those of the
-# folders ALONE, and sources ALONE that have options of their own, are not.
+# IN_BATCHES: names in unnamed namespaces and sentences differ within a folder, so that its sources may be
+# compiled together; those of the folders ALONE, and sources ALONE that have options of their own, are not.
 function(axisc_library folder)
   cmake_parse_arguments(ARG "OF_PROGRAM;IN_BATCHES" "" "SOURCES;EXCEPT;ALONE;DEPENDS;PRIVATE_DEPENDS;HEADERS" ${ARGN})
   set(target axisc_${folder})

@@ -1,5 +1,6 @@
 #include "diagnostics/fingerprint.hpp"
 
+#include "diagnostics/fnv.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/utf8.hpp"
 
@@ -10,23 +11,6 @@
 
 namespace axisc {
 namespace {
-
-/// FNV-1a with 64 bits: baselines need no protection against attacks, and a collision becomes likely only
-/// with billions of findings.
-class Hash {
- public:
-  void add(std::string_view text) {
-    for (char const character : text) mix(static_cast<unsigned char>(character));
-    // A separator, so that two parts cannot be confused.
-    mix(0);
-  }
-  [[nodiscard]] std::uint64_t value() const { return state_; }
-
- private:
-  void mix(unsigned char byte) { state_ = (state_ ^ byte) * 0x100000001B3ULL; }
-
-  std::uint64_t state_ = 0xCBF29CE484222325ULL;
-};
 
 std::string hexadecimal(std::uint64_t value) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -57,12 +41,15 @@ Identity identity_of(Finding const& finding, SourceSet const& sources) {
 }
 
 std::uint64_t hash_of(Identity const& identity) {
-  Hash hash;
-  hash.add(code_text(identity.code));
-  hash.add(identity.file);
-  hash.add(identity.axis);
-  hash.add(identity.parameter);
-  return hash.value();
+  // With a separator, so that two parts cannot be confused.
+  auto const with = [](std::uint64_t hash, std::string_view part) {
+    return fnv1a(std::string_view("", 1), fnv1a(part, hash));
+  };
+  auto hash = with(fnv_basis, code_text(identity.code));
+  for (auto const* const part : {&identity.file, &identity.axis, &identity.parameter}) {
+    hash = with(hash, *part);
+  }
+  return hash;
 }
 
 std::string fingerprint(Identity const& identity, std::uint32_t occurrence) {

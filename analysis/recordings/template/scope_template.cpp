@@ -1,5 +1,7 @@
 #include "analysis/recordings/template/scope_template.hpp"
 
+#include "diagnostics/fnv.hpp"
+
 #include <array>
 #include <cmath>
 #include <pugixml.hpp>
@@ -14,20 +16,13 @@ constexpr double ticks_per_ms = 1e4;
 constexpr double ms_per_second = 1000;
 constexpr std::uint64_t all_bits = ~std::uint64_t{0};
 
-/// FNV-1a, 64 bits.
-std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
-  constexpr std::uint64_t prime = 1099511628211U;
-  for (char const byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * prime;
-  return hash;
-}
-
 /// "9f20f55a-af67-8da8-a203-4d20c23202e8", of version 8: any bits.
 std::string guid_of(std::string_view text) {
-  constexpr std::array<std::uint64_t, 2> seeds{14695981039346656037U, 8675309867530919423U};
+  constexpr std::array<std::uint64_t, 2> seeds{fnv_basis, 8675309867530919423U};
   std::string digits;
   for (auto const seed : seeds) {
-    auto hash = hash_of(text, seed);
-    hash = hash_of("axisc", hash ^ hash >> 29U);
+    auto hash = fnv1a(text, seed);
+    hash = fnv1a("axisc", hash ^ hash >> 29U);
     for (unsigned shift = 64; shift > 0; shift -= 4) digits += "0123456789abcdef"[hash >> (shift - 4) & 0xFU];
   }
   digits[12] = '8';

@@ -22,8 +22,9 @@ constexpr Sentence apart{
 constexpr Sentence apart_per_increment{
     "at most {error} of the largest increment and half a last digit off the exact filter",
     "höchstens {error} des größten Inkrements und eine halbe letzte Stelle neben dem exakten Filter"};
-constexpr Sentence not_bounded{"not bounded: the filter is too slow",
-                               "nicht beschränkt: Das Filter ist zu langsam"};
+constexpr Sentence not_bounded{
+    "not bounded: a filter is too slow, or too close to half the sampling rate",
+    "nicht beschränkt: ein Filter ist zu langsam oder zu nahe an der halben Abtastrate"};
 constexpr Sentence overflow{"overflow", "Überlauf"};
 constexpr Sentence impossible{"impossible: states below {increments} increments, {positions} positions",
                               "unmöglich: Zustände unter {increments} Inkrementen, {positions} Positionen"};
@@ -32,8 +33,9 @@ constexpr Sentence exact_rest{"output == setpoint exactly after {cycles} ({time}
                               "nach {cycles} ({time}) Ausgang == Sollwert, exakt und dauerhaft"};
 constexpr Sentence exact_zero{"every state exactly 0 after {cycles} ({time}), for good",
                               "nach {cycles} ({time}) jeder Zustand 0, exakt und dauerhaft"};
-constexpr Sentence not_claimed{"not claimed: the filter is too slow",
-                               "nicht behauptet: Das Filter ist zu langsam"};
+constexpr Sentence not_claimed{
+    "not claimed: a filter is too slow, or too close to half the sampling rate",
+    "nicht behauptet: ein Filter ist zu langsam oder zu nahe an der halben Abtastrate"};
 constexpr Sentence changes{"changes of kernels", "Kernwechsel"};
 constexpr Sentence added{"in motion add at most {velocity} and {acceleration}, in {cycles}",
                          "in Bewegung höchstens {velocity} und {acceleration} zusätzlich, in {cycles}"};
@@ -160,6 +162,7 @@ Value verdict(image::CheckedBound const& record) {
 std::vector<Field> row(image::CheckedBound const& record) {
   auto const& bound = record.claimed ? *record.claimed : record.computed;
   auto const number = [](double value) { return Value(exact(value)); };
+  auto const rounding = is_bounded(bound) ? upper_bound(bound.rounding_increment, 2) : Value();
   bool const fails = record.failing != image::Claim::none;
   return {shown(says::chain, chain_name(bound)),
           data("port", port_name(static_cast<Port>(bound.port))),
@@ -176,7 +179,7 @@ std::vector<Field> row(image::CheckedBound const& record) {
           shown(says::distance, upper_bound(bound.distance_high, 5, Unit::cycle)),
           data("radius_high", number(bound.radius_high)),
           data("rounding_increment", number(bound.rounding_increment)),
-          shown(says::roundings, upper_bound(bound.rounding_increment, 2)),
+          shown(says::roundings, rounding),
           data("rounding_position", number(bound.rounding_position)),
           data("state_increment", number(bound.state_increment)),
           data("state_position", number(bound.state_position)),

@@ -147,9 +147,9 @@ void take(ExplainSubject& subject, Subject const& found) {
 }
 
 /// The answer, with others whose names contain the words, or all hits.
-ExplainSubject searched(Catalogues catalogues, std::string const& text) {
+ExplainSubject searched(SearchEntries const& all, std::string const& text) {
   ExplainSubject subject;
-  subject.hits = search(catalogues, text);
+  subject.hits = search(all, text);
   if (!is_answer(subject.hits)) return subject;
   auto const answer = subject.hits.front();
   take(subject, answer.subject);
@@ -159,13 +159,12 @@ ExplainSubject searched(Catalogues catalogues, std::string const& text) {
   return subject;
 }
 
-[[noreturn]] void refuse(Catalogues catalogues, std::string const& text) {
+[[noreturn]] void refuse(SearchEntries const& all, std::string const& text) {
   std::vector<std::string> known;
   for (auto const& rule : validator::rules()) known.push_back(code_text(rule.code));
   for (auto const& message : schema::control_messages()) {
     for (auto const number : message.numbers) known.push_back(std::to_string(number));
   }
-  auto const all = search_entries(catalogues);
   for (auto const& entry : all.entries) {
     for (auto const& phrase : entry.phrases) known.push_back(phrase.written);
   }
@@ -180,19 +179,28 @@ ExplainSubject searched(Catalogues catalogues, std::string const& text) {
       {meant.empty() ? says::nothing_found : says::nothing_found_meant, {{"word", text}, {"meant", meant}}});
 }
 
-}  // namespace
-
-ExplainSubject find_subject(std::span<schema::Catalogue const> catalogues, std::string const& text) {
+/// Without a search.
+ExplainSubject named(Catalogues catalogues, std::string const& text) {
   for (auto const find : {subject_of, subject_within, subject_nearly_named}) {
     auto subject = find(catalogues, text);
     if (subject.is_found()) return subject;
   }
-  return searched(catalogues, text);
+  return {};
+}
+
+}  // namespace
+
+ExplainSubject find_subject(std::span<schema::Catalogue const> catalogues, std::string const& text) {
+  auto subject = named(catalogues, text);
+  return subject.is_found() ? subject : searched(search_entries(catalogues), text);
 }
 
 ExplainSubject explain_subject(std::span<schema::Catalogue const> catalogues, std::string const& text) {
-  auto subject = find_subject(catalogues, text);
-  if (!subject.is_found() && subject.hits.empty()) refuse(catalogues, text);
+  auto subject = named(catalogues, text);
+  if (subject.is_found()) return subject;
+  auto const all = search_entries(catalogues);
+  subject = searched(all, text);
+  if (!subject.is_found() && subject.hits.empty()) refuse(all, text);
   return subject;
 }
 

@@ -7,7 +7,6 @@
 #include "schema/descriptions/description.hpp"
 #include "validator/engine/rule_title.hpp"
 
-#include <functional>
 #include <map>
 
 namespace axisc {
@@ -113,7 +112,7 @@ class Entries {
     phrase.asks_for_message = is_message && telling.ask_for_message;
     for (auto const& word : telling.words) {
       bool const is_itself = !entry.is_about_fault && vocabulary().is_of_faults(word.sense);
-      auto const sense = is_itself ? std::hash<std::string>()(word.folded) : word.sense;
+      auto const sense = is_itself ? sense_as_spelled(word.folded) : word.sense;
       add_once(phrase.senses, sense);
       words_.add_word_of_name(entry.name_words, word.folded);
     }

@@ -1,11 +1,11 @@
 #include "axisc/answers/explain/search_vocabulary.hpp"
 
 #include "axisc/answers/explain/search_text.hpp"
+#include "diagnostics/fnv.hpp"
 #include "schema/edit_distance.hpp"
 #include "schema/lookup/lookup.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <span>
 #include <utility>
 
@@ -16,24 +16,20 @@ namespace {
 constexpr std::size_t shortest_word_part = 4;
 constexpr std::size_t most_joined = 3;
 
-std::size_t hash_of(std::string_view folded_word) {
-  return std::hash<std::string_view>()(folded_word);
-}
-
 Sense own_sense(std::string_view folded_word) {
-  return hash_of(stem(folded_word));
+  return sense_as_spelled(stem(folded_word));
 }
 
-std::unordered_set<std::size_t> hashes_of(schema::WordGroup words) {
-  std::unordered_set<std::size_t> set;
-  for (auto const word : words) set.insert(hash_of(folded(word)));
+std::unordered_set<Sense> hashes_of(schema::WordGroup words) {
+  std::unordered_set<Sense> set;
+  for (auto const word : words) set.insert(sense_as_spelled(folded(word)));
   return set;
 }
 
 /// "500hz" is a figure like "500".
-bool is_figure(std::string_view word, std::unordered_set<std::size_t> const& units) {
+bool is_figure(std::string_view word, std::unordered_set<Sense> const& units) {
   auto const rest = word.substr(std::min(word.find_first_not_of("0123456789"), word.size()));
-  return rest.size() < word.size() && (rest.empty() || units.contains(hash_of(rest)));
+  return rest.size() < word.size() && (rest.empty() || units.contains(sense_as_spelled(rest)));
 }
 
 /// How much a word says, the least first.
@@ -45,6 +41,10 @@ struct Weighed {
 };
 
 }  // namespace
+
+Sense sense_as_spelled(std::string_view folded_word) {
+  return fnv1a(folded_word);
+}
 
 void add_once(std::vector<Sense>& senses, Sense sense) {
   if (std::find(senses.begin(), senses.end(), sense) == senses.end()) senses.push_back(sense);
@@ -58,12 +58,12 @@ Vocabulary::Vocabulary()
   std::vector<std::pair<Sense, Sense>> stems;
   auto const add = [&](std::span<schema::WordGroup const> groups, std::unordered_set<Sense>* kind) {
     for (auto const& group : groups) {
-      auto const sense = hash_of(folded(group.front()));
+      auto const sense = sense_as_spelled(folded(group.front()));
       for (auto const word : group) {
         words_.push_back(folded(word));
         auto const parts = words_of(word);
-        if (parts.size() > 1) beginnings_.insert(hash_of(parts.front()));
-        groups_.emplace(hash_of(words_.back()), sense);
+        if (parts.size() > 1) beginnings_.insert(sense_as_spelled(parts.front()));
+        groups_.emplace(sense_as_spelled(words_.back()), sense);
         stems.emplace_back(own_sense(words_.back()), sense);
       }
       if (kind != nullptr) kind->insert(sense);
@@ -80,7 +80,7 @@ Vocabulary::Vocabulary()
 }
 
 Sense const* Vocabulary::group_of(std::string_view folded_word) const {
-  auto found = groups_.find(hash_of(folded_word));
+  auto found = groups_.find(sense_as_spelled(folded_word));
   if (found == groups_.end()) found = groups_.find(own_sense(folded_word));
   return found == groups_.end() ? nullptr : &found->second;
 }
@@ -124,7 +124,7 @@ TellingWords Vocabulary::telling_words(std::string_view text) const {
     auto joined = words[i];
     std::size_t joins = 0;
     auto longer = joined;
-    bool const begins = beginnings_.contains(hash_of(joined));
+    bool const begins = beginnings_.contains(sense_as_spelled(joined));
     for (std::size_t k = 1; begins && k < most_joined && i + k < words.size(); ++k) {
       longer += words[i + k];
       if (!is_known(longer)) continue;
@@ -133,10 +133,10 @@ TellingWords Vocabulary::telling_words(std::string_view text) const {
     }
     // "switch it on": what stands in front is a filler, at the end a word.
     bool const is_last = i > 0 && i + 1 == words.size() && is_known(joined);
-    bool const is_unit = i > 0 && is_number(words[i - 1]) && units_.contains(hash_of(joined));
+    bool const is_unit = i > 0 && is_number(words[i - 1]) && units_.contains(sense_as_spelled(joined));
     bool const may_fill = joins == 0 && !is_last;
-    is_beside = is_beside || (most == Weight::telling && prepositions_.contains(hash_of(words[i])));
-    telling.ask_for_message = telling.ask_for_message || for_messages_.contains(hash_of(joined));
+    is_beside = is_beside || (most == Weight::telling && prepositions_.contains(sense_as_spelled(words[i])));
+    telling.ask_for_message = telling.ask_for_message || for_messages_.contains(sense_as_spelled(joined));
     for (auto const sense : senses_of(joined)) {
       auto weight = is_of_faults(sense) || is_action(sense) ? Weight::weak : Weight::telling;
       if (may_fill && is_figure(joined, units_)) weight = Weight::figure;
@@ -169,7 +169,7 @@ std::string Vocabulary::nearest(std::string_view folded_word) const {
 }
 
 bool Vocabulary::is_filler(std::string_view folded_word) const {
-  return fillers_.contains(hash_of(folded_word));
+  return fillers_.contains(sense_as_spelled(folded_word));
 }
 
 Vocabulary const& vocabulary() {

@@ -1,7 +1,6 @@
 // What words mean to the search, whatever their language and their form: schema/lookup/lookup.json.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,8 +11,12 @@
 
 namespace axisc {
 
-/// Equal for "velocity", "speeds" and "Geschwindigkeit"; a word that no group has has one of its own.
-using Sense = std::size_t;
+/// Equal for "velocity", "speeds" and "Geschwindigkeit"; a word that no group has has one of its own. A hash
+/// of 64 bits on every system, so that all find the same.
+using Sense = std::uint64_t;
+
+/// Of the very word alone, whatever it means.
+[[nodiscard]] Sense sense_as_spelled(std::string_view folded_word);
 
 /// A word that says something, or one of the parts of a composed word.
 struct TellingWord {
@@ -58,17 +61,17 @@ class Vocabulary {
   [[nodiscard]] Sense const* group_of(std::string_view folded_word) const;
   [[nodiscard]] bool add_parts(std::vector<Sense>& senses, std::string_view composed) const;
 
-  std::unordered_map<Sense, Sense> groups_;     ///< by the hashes of their words and of the stems of these
-  std::unordered_set<std::size_t> beginnings_;  ///< of those that have several words
-  std::vector<std::string> words_;              ///< of groups, folded
+  std::unordered_map<Sense, Sense> groups_;  ///< by their words as spelled, and by the stems of these
+  std::unordered_set<Sense> beginnings_;     ///< of those that have several words
+  std::vector<std::string> words_;           ///< of groups, folded
   std::unordered_set<Sense> faults_;
   std::unordered_set<Sense> degrees_;
   std::unordered_set<Sense> actions_;
-  std::unordered_set<std::size_t> fillers_;  ///< hashes, as of the units and the words for messages
+  std::unordered_set<Sense> fillers_;  ///< as spelled, like the units and the words for messages
   std::unordered_set<Sense> filling_stems_;
-  std::unordered_set<std::size_t> units_;
-  std::unordered_set<std::size_t> prepositions_;
-  std::unordered_set<std::size_t> for_messages_;
+  std::unordered_set<Sense> units_;
+  std::unordered_set<Sense> prepositions_;
+  std::unordered_set<Sense> for_messages_;
 };
 
 [[nodiscard]] Vocabulary const& vocabulary();

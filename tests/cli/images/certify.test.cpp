@@ -99,6 +99,19 @@ TEST_CASE("a claim that is not true is named, and the exit status is 1") {
   CHECK(run_axisc({"certify", "wrong.axim", "--axis", "Y"}, there).status == 1);
 }
 
+TEST_CASE("what is not proved is not shown as 0") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  folder.write("x.lis", "filter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 499.999\n");
+  auto const compile =
+      run_axisc({"compile", "x.lis", "--cycle-time", "1ms", "-o", "x.axim", "--quiet"}, there);
+  REQUIRE(compile.status == 0);
+  auto const text = run_axisc({"certify", "x.axim"}, there).out;
+  CHECK_THAT(text, Contains("not bounded: ") && Contains("not claimed: ") && Contains("too close to half"));
+  // The column of the roundings has nothing in its only row.
+  CHECK_THAT(text, !Contains("rounding per"));
+}
+
 TEST_CASE("--no-bounds leaves the section out, --strip keeps it") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);

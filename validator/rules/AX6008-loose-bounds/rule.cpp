@@ -14,8 +14,8 @@ constexpr Sentence loose{"not at rest after 4194304 cycles", "nach 4194304 Zykle
 constexpr Sentence loose_note{
     "the bound of its gain is true, but not tight, and exact standstill is not claimed",
     "die Schranke seiner Verstärkung ist wahr, aber nicht knapp, und exakter Stillstand wird nicht zugesagt"};
-constexpr Sentence uncertain{"that rounding lets it come to rest is not proved",
-                             "dass die Rundung ihn zur Ruhe kommen lässt, ist nicht bewiesen"};
+constexpr Sentence uncertain{"not proved to come to rest: rounding may keep it moving",
+                             "Ruhe ist nicht bewiesen: die Rundung kann Bewegung erhalten"};
 constexpr Sentence uncertain_note{
     "the bound of its gain is true; neither rounding nor exact standstill is claimed",
     "die Schranke seiner Verstärkung ist wahr; weder Rundung noch exakter Stillstand werden zugesagt"};
