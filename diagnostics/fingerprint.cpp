@@ -43,7 +43,7 @@ Identity identity_of(Finding const& finding, SourceSet const& sources) {
 std::uint64_t hash_of(Identity const& identity) {
   // With a separator, so that two parts cannot be confused.
   auto const with = [](std::uint64_t hash, std::string_view part) {
-    return fnv1a(std::string_view("", 1), fnv1a(part, hash));
+    return fnv1a(std::string_view("\0", 1), fnv1a(part, hash));
   };
   auto hash = with(fnv_basis, code_text(identity.code));
   for (auto const* const part : {&identity.file, &identity.axis, &identity.parameter}) {

@@ -4,6 +4,7 @@
 #include "axisc/answers/explain/explain_subject.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/image_file.hpp"
+#include "diagnostics/ascii.hpp"
 #include "diagnostics/joined.hpp"
 
 #include <algorithm>
@@ -91,6 +92,11 @@ std::string without_empty_brackets(std::string name) {
   return name;
 }
 
+bool names_entry(std::string_view name) {
+  auto const bracket = name.find('[');
+  return bracket != std::string_view::npos && bracket + 1 < name.size() && ascii::is_digit(name[bracket + 1]);
+}
+
 /// Names consist of identifiers and indices; the catalogue takes no others.
 bool is_name(std::string_view word) {
   return word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.[]") ==
@@ -131,6 +137,8 @@ std::vector<schema::Slot> chosen_slots(EffectiveValues const& values, std::strin
       if (begins(parameter_name(*value), word)) slots.push_back(value->slot);
     }
     if (!slots.empty()) return slots;
+    // Other entries are no answer to "filter[9].typ".
+    if (names_entry(word)) refuse(catalogue, word);
   }
   std::vector const catalogues{catalogue};
   auto const subject = find_subject(catalogues, word);

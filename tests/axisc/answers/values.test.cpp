@@ -116,6 +116,9 @@ TEST_CASE("an index that no entry has is refused, and what may be meant is named
   };
   CHECK(refusal("filter[9].order") ==
         "there is no `filter[9].order`; write one of filter[0].order to filter[2].order");
+  // Entries that there are, are no answer for one that there is not.
+  CHECK(refusal("filter[9].typ").starts_with("there is no axis parameter \"filter[9].typ\"; did you mean "));
+  CHECK(refusal("filter[1].fgf0").ends_with("did you mean filter[1].fg_f0?"));
   CHECK(refusal("vb_maxx").ends_with("did you mean getriebe[0].dynamik.vb_max, handbetrieb.hb.vb_max?"));
   CHECK(refusal("nonsense_param").ends_with("`axisc explain` finds names by what they mean"));
 }
