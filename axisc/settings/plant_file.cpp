@@ -156,8 +156,8 @@ PlantValue const* find_plant_value(std::vector<PlantValue> const& values, std::s
 }
 
 void check_plant_value(PlantValue const& value) {
-  auto const* const key = std::find_if(plant_keys.begin(), plant_keys.end(), [&](JsonKey const& one) {
-    return is_figure(one) && one.name == value.key;
+  auto const* const key = std::find_if(plant_keys.begin(), plant_keys.end(), [&](JsonKey const& each) {
+    return is_figure(each) && each.name == value.key;
   });
   if (key == plant_keys.end()) {
     throw Failure({says::not_a_key, {{"key", value.key}, {"known", known_keys()}}});
