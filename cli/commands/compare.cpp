@@ -12,10 +12,11 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence argument_recording{"what a scope recorded: its export, its .svdx, or columns",
-                                      "was ein Scope aufzeichnete: sein Export, seine .svdx oder Spalten"};
-constexpr Sentence option_axis{"the recorded axis (default: the only one)",
-                               "die aufgezeichnete Achse (Standardwert: die einzige)"};
+constexpr Sentence argument_scope_recording{
+    "what a scope recorded: its export, its .svdx, or columns",
+    "was ein Scope aufzeichnete: sein Export, seine .svdx oder Spalten"};
+constexpr Sentence option_recorded_axis{"the recorded axis (default: the only one)",
+                                        "die aufgezeichnete Achse (Standardwert: die einzige)"};
 constexpr Sentence option_switched{
     "the control executed COMMAND (#FILTER ...) before that cycle of the recording; for images with kernel "
     "banks",
@@ -60,7 +61,7 @@ namespace {
 
 void declare(CommandLine& command_line, CompareOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_input);
-  command_line.argument("RECORDING", options.recording, says::argument_recording);
+  command_line.argument("RECORDING", options.recording, says::argument_scope_recording);
   command_line.values("--in", "COLUMN", options.columns, says::option_setpoint_column);
   declare_recorded_numbers(command_line, options.numbers);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
@@ -78,7 +79,7 @@ void declare(CommandLine& command_line, CompareOptions& options) {
   command_line.value("--program", "PART.nc", options.program, says::option_recorded_program);
   command_line.value("--group", "NAME", options.group, says::option_group);
   command_line.not_with("--program");
-  command_line.value("--axis", "NAME", options.axis, says::option_axis);
+  command_line.value("--axis", "NAME", options.axis, says::option_recorded_axis);
   command_line.value("--out", "COLUMN", options.output, says::option_filtered_column);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_switched);
   command_line.not_with("");

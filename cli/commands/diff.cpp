@@ -14,12 +14,12 @@ constexpr Sentence argument_diff{
     "two folders, start-up lists, machine files, lists or images, also mixed; or one, with two axes",
     "zwei Ordner, Hochlauflisten, Maschinendateien, Listen oder Abbilder, auch gemischt; oder eins mit zwei "
     "Achsen"};
-constexpr Sentence option_axis{
+constexpr Sentence option_compared_axes{
     "only this axis: its name in programs, its number, or its list; given twice: the first of OLD with the "
     "second of NEW, or two axes of one machine",
     "nur diese Achse: ihr Name im Programm, ihre Nummer oder ihre Liste; zweimal: die erste von ALT mit der "
     "zweiten von NEU, oder zwei Achsen einer Maschine"};
-constexpr Sentence option_all{
+constexpr Sentence option_all_differences{
     "also show parameters that one side sets to the default of the other, and those in which axes of one "
     "machine must differ (number, name, drive address)",
     "auch Parameter zeigen, die eine Seite auf den Standardwert der anderen setzt, und solche, in denen sich "
@@ -30,8 +30,8 @@ constexpr Sentence one_input{
     "--axis Y"};
 constexpr Sentence too_many{"`diff` compares two inputs, and at most two axes of them",
                             "`diff` vergleicht zwei Eingaben und höchstens zwei Achsen davon"};
-constexpr Sentence option_feed{"path feed in mm/min for the corner (default: 1000)",
-                               "Bahnvorschub in mm/min für die Ecke (Standardwert: 1000)"};
+constexpr Sentence option_feed_of_corner{"path feed in mm/min for the corner (default: 1000)",
+                                         "Bahnvorschub in mm/min für die Ecke (Standardwert: 1000)"};
 constexpr Sentence option_exit_code{"exit status 1 if something changed",
                                     "Rückgabewert 1, wenn sich etwas geändert hat"};
 
@@ -54,10 +54,10 @@ struct DiffOptions {
 
 void declare(CommandLine& command_line, DiffOptions& options) {
   command_line.arguments("OLD NEW", options.inputs, says::argument_diff);
-  command_line.values("--axis", "NAME", options.axes, says::option_axis);
-  command_line.flag("--all", options.all, says::option_all);
+  command_line.values("--axis", "NAME", options.axes, says::option_compared_axes);
+  command_line.flag("--all", options.all, says::option_all_differences);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
-  command_line.value("--feed", "MM_PER_MIN", options.feed, says::option_feed);
+  command_line.value("--feed", "MM_PER_MIN", options.feed, says::option_feed_of_corner);
   declare_format(command_line, options.format);
   declare_schema(command_line, options.schema_files);
   command_line.flag("--exit-code", options.exit_code, says::option_exit_code);

@@ -17,7 +17,8 @@ constexpr Sentence argument_subject{
     "was gesucht wird: ein Code (AX3005), eine Nummer (P-AXIS-00140), ein Parameter oder ein Teil davon, "
     "eine Meldung der Steuerung („Fehler 50663“), ein Wort von NC-Programmen (G60, #FILTER) oder Wörter "
     "(Kerbfilter)"};
-constexpr Sentence option_all{"every code in one Markdown document", "alle Codes in einem Markdown-Dokument"};
+constexpr Sentence option_all_codes{"every code in one Markdown document",
+                                    "alle Codes in einem Markdown-Dokument"};
 
 }  // namespace axisc::cli::says
 
@@ -29,7 +30,7 @@ ExitStatus explain(Invocation const& invocation) {
   auto format = presentation::Format::markdown;
   CommandLine command_line("explain", invocation.language);
   command_line.arguments("WORDS", words, says::argument_subject);
-  command_line.flag("--all", all, says::option_all);
+  command_line.flag("--all", all, says::option_all_codes);
   declare_format(command_line, format);
   std::vector<std::string> schema_files;
   declare_schema(command_line, schema_files);

@@ -28,7 +28,7 @@ namespace axisc::cli::says {
 
 constexpr Sentence option_check{"write nothing; exit status 1 when a list would change",
                                 "nichts schreiben; Rückgabewert 1, wenn sich eine Liste ändern würde"};
-constexpr Sentence option_diff{"print a patch instead of writing", "einen Patch zeigen, statt zu schreiben"};
+constexpr Sentence option_patch{"print a patch instead of writing", "einen Patch zeigen, statt zu schreiben"};
 constexpr Sentence elsewhere{
     "{file} is not formatted: it is neither named nor below a named folder; name it as well",
     "{file} wird nicht formatiert: sie ist nicht genannt und liegt unter keinem genannten Ordner; sie "
@@ -180,7 +180,7 @@ ExitStatus fmt(Invocation const& invocation) {
   command_line.value("--stdin-filename", "NAME", options.stdin_filename, says::option_stdin_filename);
   declare_hook(command_line, options.hook);
   command_line.flag("--check", options.check, says::option_check);
-  command_line.flag("--diff", options.diff, says::option_diff);
+  command_line.flag("--diff", options.diff, says::option_patch);
   declare_schema(command_line, options.schema_files);
   declare_threads(command_line, options.threads);
   if (command_line.answers(invocation)) return ExitStatus::success;

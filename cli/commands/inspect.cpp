@@ -27,7 +27,7 @@ constexpr Sentence signature{
 constexpr Sentence option_public_key{
     "check the signature with this public key; exit status 2 if it is not valid",
     "die Signatur mit diesem öffentlichen Schlüssel prüfen; Rückgabewert 2, wenn sie nicht gültig ist"};
-constexpr Sentence option_axis{"only this axis", "nur diese Achse"};
+constexpr Sentence option_inspected_axis{"only this axis", "nur diese Achse"};
 constexpr Sentence option_as_list{"write the lists back, with the origin of each value as a comment",
                                   "die Listen zurückschreiben, mit der Herkunft jedes Werts als Kommentar"};
 constexpr Sentence option_memory{
@@ -70,7 +70,7 @@ ExitStatus inspect(Invocation const& invocation) {
   CommandLine command_line("inspect", invocation.language);
   command_line.argument("IMAGE.axim", path, says::argument_image);
   declare_format(command_line, format);
-  command_line.value("--axis", "NAME", question.axis, says::option_axis);
+  command_line.value("--axis", "NAME", question.axis, says::option_inspected_axis);
   command_line.flag("--as-list", as_list, says::option_as_list);
   command_line.value("--key", "KEY.pub", key, says::option_public_key);
   command_line.choice<std::optional<std::uint32_t>>("--memory",

@@ -17,7 +17,7 @@ namespace axisc::cli::says {
 
 constexpr Sentence option_kind{"what to draw (default: response)",
                                "was zu zeichnen ist (Standardwert: response)"};
-constexpr Sentence option_picture{
+constexpr Sentence option_picture_or_terminal{
     "where the picture goes: FILE.svg, FILE.html, or - for standard output (default: the terminal)",
     "wohin das Bild geht: DATEI.svg, DATEI.html oder - für die Standardausgabe (Standardwert: das Terminal)"};
 constexpr Sentence option_picture_format{"format of the picture, whatever the name's ending",
@@ -42,7 +42,7 @@ constexpr Sentence option_magnitude{"magnitude in dB or as a factor (default: db
                                     "Betrag in dB oder als Faktor (Standardwert: db)"};
 constexpr Sentence option_wrap{"phase from -180° to 180° (default: continuous)",
                                "Phase von -180° bis 180° (Standardwert: stetig)"};
-constexpr Sentence option_measured{
+constexpr Sentence option_measured_response{
     "also draw a measured response, and what the axis' chain makes of it: frequency_hz, magnitude_db[, "
     "phase_deg]",
     "auch einen gemessenen Frequenzgang zeichnen und was die Kette der Achse daraus macht: frequency_hz, "
@@ -75,7 +75,7 @@ struct PlotOptions {
 void declare(CommandLine& command_line, PlotOptions& options) {
   auto& question = options.question;
   command_line.argument("INPUT", options.input, says::argument_machine_or_image);
-  command_line.value("-o,--output", "FILE", options.target.path, says::option_picture);
+  command_line.value("-o,--output", "FILE", options.target.path, says::option_picture_or_terminal);
   command_line.choice("--kind", picture_kinds, question.kind, says::option_kind);
   command_line.flag("--table", options.target.table, says::option_table);
   command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},
@@ -94,7 +94,7 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.choice("--magnitude", {{"db", false}, {"linear", true}}, question.response.linear_magnitude,
                       says::option_magnitude);
   command_line.flag("--wrap", question.response.wraps_phase, says::option_wrap);
-  command_line.value("--measured", "FILE.csv", question.measured, says::option_measured);
+  command_line.value("--measured", "FILE.csv", question.measured, says::option_measured_response);
   command_line.only_for("corner, circle, path");
   command_line.value("--group", "NAME", question.group, says::option_group);
   command_line.only_for("corner, circle, dynamics");

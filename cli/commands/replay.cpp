@@ -14,10 +14,10 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence argument_recording{
+constexpr Sentence argument_flight_recording{
     "what axisrt_recorder_dump or `axisc run --record` wrote, or - for standard input",
     "was axisrt_recorder_dump oder `axisc run --record` geschrieben hat, oder - für die Standardeingabe"};
-constexpr Sentence option_output{
+constexpr Sentence option_replayed_cycles{
     "write the recorded setpoints and outputs of every cycle to this CSV file",
     "die aufgezeichneten Sollwerte und Ausgaben jedes Zyklus in diese CSV-Datei schreiben"};
 
@@ -101,8 +101,8 @@ ExitStatus replay(Invocation const& invocation) {
   ReplayOptions options;
   CommandLine command_line("replay", invocation.language);
   command_line.argument("IMAGE.axim", options.image, says::argument_image);
-  command_line.argument("RECORDING", options.recording, says::argument_recording);
-  command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);
+  command_line.argument("RECORDING", options.recording, says::argument_flight_recording);
+  command_line.value("-o,--output", "FILE.csv", options.output, says::option_replayed_cycles);
   declare_format(command_line, options.format);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.image.has_value(), "IMAGE.axim");

@@ -11,9 +11,10 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence option_axis{"only this axis (default: all)", "nur diese Achse (Standardwert: alle)"};
-constexpr Sentence option_port{"which chain (default: setpoint)",
-                               "welche Filterkette (Standardwert: setpoint)"};
+constexpr Sentence option_axis_of_response{"only this axis (default: all)",
+                                           "nur diese Achse (Standardwert: alle)"};
+constexpr Sentence option_port_of_response{"which chain (default: setpoint)",
+                                           "welche Filterkette (Standardwert: setpoint)"};
 constexpr Sentence option_frequencies{
     "in Hz, from 0 to 0.5/T (default: 200 logarithmic points up to 0.5/T, and the frequencies of the "
     "filters)",
@@ -34,8 +35,8 @@ ExitStatus response(Invocation const& invocation) {
   command_line.argument("INPUT", path, says::argument_machine_or_image);
   command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);
   declare_alone(command_line, request.alone);
-  command_line.value("--axis", "NAME", question.axis, says::option_axis);
-  command_line.choice("--port", ports, question.port, says::option_port);
+  command_line.value("--axis", "NAME", question.axis, says::option_axis_of_response);
+  command_line.choice("--port", ports, question.port, says::option_port_of_response);
   command_line.value("--frequencies", "F[,F...]", frequencies, says::option_frequencies);
   command_line.value("--level", level_names, level, says::option_level);
   command_line.values("--at", "CYCLE:COMMAND", commands, says::option_at);

@@ -38,8 +38,8 @@ constexpr Sentence option_amplitude{"factor of the signal (default: 1)",
                                     "Faktor des Signals (Standardwert: 1)"};
 constexpr Sentence option_cycles{"length of the signal (default: 256)",
                                  "Länge des Signals (Standardwert: 256)"};
-constexpr Sentence option_port{"what the signal feeds (default: setpoint)",
-                               "was das Signal speist (Standardwert: setpoint)"};
+constexpr Sentence option_port_of_signal{"what the signal feeds (default: setpoint)",
+                                         "was das Signal speist (Standardwert: setpoint)"};
 constexpr Sentence option_reset{"value from which every axis starts, at rest (default: 0)",
                                 "Wert, auf dem jede Achse anfangs ruht (Standardwert: 0)"};
 constexpr Sentence option_csv_output{"where the rows go (default: standard output)",
@@ -49,8 +49,8 @@ constexpr Sentence option_time{"begin each row with the time in seconds (column 
 constexpr Sentence option_format{
     "csv, which reads back as the same numbers, or text: aligned, four significant digits (default: csv)",
     "csv, das dieselben Zahlen ergibt, oder text: ausgerichtet, vier gültige Stellen (Standardwert: csv)"};
-constexpr Sentence option_quiet{"no warning about unusable setpoints",
-                                "keine Warnung über unbrauchbare Sollwerte"};
+constexpr Sentence option_no_setpoint_warning{"no warning about unusable setpoints",
+                                              "keine Warnung über unbrauchbare Sollwerte"};
 
 constexpr Sentence option_record{
     "keep the last cycles and write them to this file, for `axisc replay`",
@@ -92,7 +92,7 @@ void declare(CommandLine& command_line, RunOptions& options) {
   command_line.value("--signal", "SIGNAL", options.signal, says::option_signal);
   command_line.value("--amplitude", "A", options.amplitude, says::option_amplitude);
   command_line.value("--cycles", "N", options.cycles, says::option_cycles);
-  command_line.value("--port", "setpoint|interface|velocity", options.port, says::option_port);
+  command_line.value("--port", "setpoint|interface|velocity", options.port, says::option_port_of_signal);
   command_line.not_with({});
   command_line.value("--reset", "POSITION", options.reset, says::option_reset);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
@@ -105,7 +105,7 @@ void declare(CommandLine& command_line, RunOptions& options) {
   command_line.flag("--time", options.table.has_time, says::option_time);
   command_line.choice("--format", {{"csv", false}, {"text", true}}, options.table.is_text,
                       says::option_format);
-  command_line.flag("-q,--quiet", options.quiet, says::option_quiet);
+  command_line.flag("-q,--quiet", options.quiet, says::option_no_setpoint_warning);
 }
 
 double number(std::optional<std::string> const& word, char const* option, double otherwise) {

@@ -14,7 +14,7 @@ constexpr Sentence option_secret_key{"secret key of `axisc keygen`", "geheimer S
 constexpr Sentence option_signed_output{
     "signed image to write (default: IMAGE.axim itself)",
     "zu schreibendes signiertes Abbild (Standardwert: ABBILD.axim selbst)"};
-constexpr Sentence option_quiet{"no summary line", "keine Zusammenfassung"};
+constexpr Sentence option_no_summary{"no summary line", "keine Zusammenfassung"};
 
 }  // namespace axisc::cli::says
 
@@ -37,7 +37,7 @@ ExitStatus sign(Invocation const& invocation) {
   command_line.argument("IMAGE.axim", options.image, says::argument_image);
   command_line.value("--key", "KEY", options.key, says::option_secret_key);
   command_line.value("-o,--output", "OUT.axim", options.output, says::option_signed_output);
-  command_line.flag("--quiet", options.quiet, says::option_quiet);
+  command_line.flag("--quiet", options.quiet, says::option_no_summary);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.image.has_value(), "IMAGE.axim");
   command_line.require(options.key.has_value(), "--key");

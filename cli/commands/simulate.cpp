@@ -17,8 +17,8 @@ namespace axisc::cli::says {
 
 constexpr Sentence option_program{"the NC program, or - for standard input",
                                   "das NC-Programm, oder - für die Standardeingabe"};
-constexpr Sentence option_output{"also write every NC cycle to this CSV file",
-                                 "zusätzlich jeden NC-Zyklus in diese CSV-Datei schreiben"};
+constexpr Sentence option_simulated_cycles{"also write every NC cycle to this CSV file",
+                                           "zusätzlich jeden NC-Zyklus in diese CSV-Datei schreiben"};
 constexpr Sentence option_constant_velocity{
     "keep the feed rate everywhere: no ramps, no slower corners, no AX_DEV",
     "überall mit dem Vorschub fahren: keine Rampen, keine langsameren Ecken, kein AX_DEV"};
@@ -33,7 +33,7 @@ constexpr Sentence option_progress{
     "show progress even where standard error is not a terminal",
     "Fortschritt auch zeigen, wenn die Standardfehlerausgabe kein Terminal ist"};
 constexpr Sentence option_no_progress{"show no progress", "keinen Fortschritt zeigen"};
-constexpr Sentence option_plant{
+constexpr Sentence option_plant_of_axes{
     "drive and mechanics of the axes (JSON): simulate the closed loop",
     "Antrieb und Mechanik der Achsen (JSON): den geschlossenen Regelkreis simulieren"};
 constexpr Sentence option_move{"AXIS:MM[:MM_PER_MIN]: there and back with the plant (default: vb_max)",
@@ -60,12 +60,12 @@ struct SimulateOptions {
 void declare(CommandLine& command_line, SimulateOptions& options) {
   command_line.argument("MACHINE", options.machine, says::argument_input);
   command_line.value("--program", "PART.nc", options.program, says::option_program);
-  command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);
+  command_line.value("-o,--output", "FILE.csv", options.output, says::option_simulated_cycles);
   command_line.value("--group", "NAME", options.group, says::option_group);
   command_line.flag("--constant-velocity", options.constant_velocity, says::option_constant_velocity);
   command_line.flag("--sharp-corners", options.sharp_corners, says::option_sharp_corners);
   command_line.value("--max-cycles", "N", options.most_cycles, says::option_max_cycles);
-  command_line.value("--plant", "PLANT.json", options.plant, says::option_plant);
+  command_line.value("--plant", "PLANT.json", options.plant, says::option_plant_of_axes);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_move);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   declare_alone(command_line, options.alone);

@@ -17,12 +17,12 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence option_axis{"the vibrating axis", "die Achse, die schwingt"};
+constexpr Sentence option_vibrating_axis{"the vibrating axis", "die Achse, die schwingt"};
 constexpr Sentence option_resonance{"up to three natural frequencies, each perhaps with its damping ratio",
                                     "bis zu drei Eigenfrequenzen, jede vielleicht mit ihrem Dämpfungsgrad"};
 constexpr Sentence argument_suggest{"the machine, then recordings of the axis, as with --measured",
                                     "die Maschine, dann Aufzeichnungen der Achse, wie mit --measured"};
-constexpr Sentence option_measured{
+constexpr Sentence option_measured_recordings{
     "find them in recordings instead: two signals over time, a frequency response or a spectrum; may be "
     "repeated",
     "sie stattdessen in Aufzeichnungen finden: zwei Signale über der Zeit, ein Frequenzgang oder ein "
@@ -31,14 +31,14 @@ constexpr Sentence option_in{"column of the measurement's input (torque, or setp
                              "Spalte des Eingangs der Messung (Drehmoment oder Sollwert)"};
 constexpr Sentence option_out{"column of its output (velocity, or position)",
                               "Spalte ihres Ausgangs (Geschwindigkeit oder Position)"};
-constexpr Sentence option_plant{
+constexpr Sentence option_plant_of_axis{
     "drive and mechanics of the axis (JSON): compare Improved Position Control too",
     "Antrieb und Mechanik der Achse (JSON): auch die optimierte Lageregelung vergleichen"};
 constexpr Sentence option_tolerance{"allowed axis error in mm, on the circle and as AX_DEV (default: 10 µm)",
                                     "erlaubter Achsfehler in mm, auf dem Kreis und als AX_DEV (Standardwert: "
                                     "10 µm)"};
-constexpr Sentence option_feed{"feed rate in mm/min (default: 4000)",
-                               "Vorschub in mm/min (Standardwert: 4000)"};
+constexpr Sentence option_feed_of_suggestion{"feed rate in mm/min (default: 4000)",
+                                             "Vorschub in mm/min (Standardwert: 4000)"};
 constexpr Sentence option_radius{
     "circle on which the feed keeps the tolerance, in mm (default: 10)",
     "Kreis, auf dem der Vorschub die Toleranz einhält, in mm (Standardwert: 10)"};
@@ -47,7 +47,7 @@ constexpr Sentence option_goal{"what counts more: which suggestion is recommende
 constexpr Sentence option_slope{
     "how the axis accelerates and brakes (default: as the channel list says, without one STEP)",
     "wie die Achse beschleunigt und bremst (Standardwert: nach der Kanalliste, ohne sie STEP)"};
-constexpr Sentence option_picture{
+constexpr Sentence option_picture_of_settings{
     "also draw the settings: FILE.svg, FILE.html; - draws an SVG instead of the text",
     "die Einstellungen auch zeichnen: DATEI.svg, DATEI.html; - zeichnet ein SVG statt "
     "des Texts"};
@@ -56,8 +56,8 @@ constexpr Sentence option_apply{
     "lists",
     "Vorschlag 1, 2, 3, mit --plant 4, oder die Rampenzeiten, 5, in die "
     "Listen schreiben"};
-constexpr Sentence option_diff{"with --apply: show the patch, write nothing",
-                               "mit --apply: den Patch zeigen, nichts schreiben"};
+constexpr Sentence option_patch_of_lines{"with --apply: show the patch, write nothing",
+                                         "mit --apply: den Patch zeigen, nichts schreiben"};
 constexpr Sentence diff_is_output{"--diff writes a patch to standard output: leave out {other}",
                                   "--diff schreibt einen Patch auf die Standardausgabe: {other} weglassen"};
 
@@ -80,14 +80,14 @@ void declare(CommandLine& command_line, SuggestOptions& options) {
   using Goal = std::optional<tuning::Goal>;
   auto& question = options.question;
   command_line.arguments("MACHINE [RECORDING...]", options.inputs, says::argument_suggest);
-  command_line.value("--axis", "NAME", question.axis, says::option_axis);
+  command_line.value("--axis", "NAME", question.axis, says::option_vibrating_axis);
   command_line.value("--resonance", "HZ[:DAMPING][,...]", question.resonances, says::option_resonance);
-  command_line.values("--measured", "FILE", question.measured, says::option_measured);
+  command_line.values("--measured", "FILE", question.measured, says::option_measured_recordings);
   command_line.value("--in", "COLUMN", question.columns.in, says::option_in);
   command_line.value("--out", "COLUMN", question.columns.out, says::option_out);
-  command_line.value("--plant", "PLANT.json", question.plant, says::option_plant);
+  command_line.value("--plant", "PLANT.json", question.plant, says::option_plant_of_axis);
   command_line.value("--tolerance", "MM", options.tolerance, says::option_tolerance);
-  command_line.value("--feed", "MM_PER_MIN", options.feed, says::option_feed);
+  command_line.value("--feed", "MM_PER_MIN", options.feed, says::option_feed_of_suggestion);
   command_line.value("--radius", "MM", options.radius, says::option_radius);
   command_line.choice("--goal",
                       {{"surface", Goal(tuning::Goal::surface)},
@@ -101,10 +101,10 @@ void declare(CommandLine& command_line, SuggestOptions& options) {
                        {"SIN2", Slope(machine::Slope::sin2)},
                        {"HSC", Slope(machine::Slope::hsc)}},
                       question.slope, says::option_slope);
-  command_line.value("-o,--output", "FILE", options.picture.path, says::option_picture);
+  command_line.value("-o,--output", "FILE", options.picture.path, says::option_picture_of_settings);
   command_line.value("--apply", "N", options.apply, says::option_apply);
   command_line.only_with("--apply");
-  command_line.flag("--diff", options.diff, says::option_diff);
+  command_line.flag("--diff", options.diff, says::option_patch_of_lines);
   command_line.only_with({});
   declare_format(command_line, options.format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdio>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1001::says {
 
 constexpr Sentence headline{"the character {character} is not allowed in a list",
                             "das Zeichen {character} ist in einer Liste nicht erlaubt"};
@@ -23,9 +23,9 @@ constexpr Sentence remove{"remove it", "es entfernen"};
 constexpr Sentence help{"delete it, or save the file again as UTF-8 or windows-1252",
                         "es löschen, oder die Datei neu als UTF-8 oder windows-1252 speichern"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1001::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1001 {
 namespace {
 
 std::string hexadecimal(char const* format, unsigned byte) {
@@ -118,8 +118,8 @@ void invalid_character(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1001{
+extern constinit Rule const rule{
     .check = invalid_character,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1001

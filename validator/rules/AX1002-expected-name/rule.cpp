@@ -4,7 +4,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1002::says {
 
 constexpr Sentence headline{"a line begins with a parameter name, a comment or `Ende`",
                             "eine Zeile beginnt mit einem Parameternamen, einem Kommentar oder `Ende`"};
@@ -16,9 +16,9 @@ constexpr Sentence help{
     "put `#` in front of a comment; write an assignment as name, blank, value",
     "vor einen Kommentar `#` setzen; eine Zuweisung als Name, Leerzeichen, Wert schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1002::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1002 {
 namespace {
 
 /// How other languages open a comment that takes the rest of the line.
@@ -85,8 +85,8 @@ void expected_name(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1002{
+extern constinit Rule const rule{
     .check = expected_name,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1002

@@ -4,15 +4,15 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1003::says {
 
 constexpr Sentence headline{"`{name}` has no value", "`{name}` hat keinen Wert"};
 constexpr Sentence help{"write the value after the name, separated by a blank",
                         "den Wert nach dem Namen schreiben, durch ein Leerzeichen getrennt"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1003::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1003 {
 namespace {
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
@@ -28,8 +28,8 @@ void expected_value(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1003{
+extern constinit Rule const rule{
     .check = expected_value,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1003

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1004::says {
 
 constexpr Sentence headline{"the index `{index}` is malformed", "der Index `{index}` ist fehlerhaft"};
 constexpr Sentence blank{"no blank before the index `{index}`", "kein Leerzeichen vor dem Index `{index}`"};
@@ -16,9 +16,9 @@ constexpr Sentence help{
     "ein Index ist eine ganze Zahl ab 0 in eckigen Klammern, ohne Leerzeichen: `filter[0].order`"};
 constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1004::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1004 {
 namespace {
 
 /// `[ 0 ]` and `[0` as `[0]`; empty if no number can be intended.
@@ -94,8 +94,8 @@ void malformed_index(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1004{
+extern constinit Rule const rule{
     .check = malformed_index,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1004

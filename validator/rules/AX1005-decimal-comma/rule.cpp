@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1005::says {
 
 constexpr Sentence headline{"`{value}` has a decimal comma", "`{value}` hat ein Dezimalkomma"};
 constexpr Sentence reaction{"it expects a decimal point and would read a different number",
@@ -12,9 +12,9 @@ constexpr Sentence reaction{"it expects a decimal point and would read a differe
 constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 constexpr Sentence whole{"the parameter takes whole numbers only", "der Parameter nimmt nur ganze Zahlen an"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1005::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1005 {
 namespace {
 
 /// The intended number; empty if it is not obvious: an integer has no decimals.
@@ -51,8 +51,8 @@ void decimal_comma(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1005{
+extern constinit Rule const rule{
     .check = decimal_comma,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1005

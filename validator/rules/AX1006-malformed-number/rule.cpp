@@ -4,7 +4,7 @@
 #include "validator/rules/thousands.hpp"
 #include "validator/views/written_unit.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1006::says {
 
 constexpr Sentence headline{"`{value}` is not a number", "`{value}` ist keine Zahl"};
 constexpr Sentence leading_zero{"`{value}` begins with a zero", "`{value}` beginnt mit einer Null"};
@@ -18,9 +18,9 @@ constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 constexpr Sentence help{"write a decimal number such as `40` or `0.5`, or a hexadecimal one such as `0x1F`",
                         "eine Dezimalzahl wie `40` oder `0.5` schreiben, oder eine hexadezimale wie `0x1F`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1006::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1006 {
 namespace {
 
 /// 007 as 7, -0.5 stays: the number without the zeros that the control rejects.
@@ -108,9 +108,9 @@ void malformed_number(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1006{
+extern constinit Rule const rule{
     .control = "1001138",
     .check = malformed_number,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1006

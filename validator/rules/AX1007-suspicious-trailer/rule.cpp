@@ -6,15 +6,15 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1007::says {
 
 constexpr Sentence headline{"`{text}` looks like a second value", "`{text}` sieht wie ein zweiter Wert aus"};
 constexpr Sentence reaction{"it ignores the rest of the line", "sie übergeht den Rest der Zeile"};
 constexpr Sentence help{"start a comment with `(`", "einen Kommentar mit `(` beginnen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1007::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1007 {
 namespace {
 
 /// P-AXIS-00212 or P-AXIS-00212.0.
@@ -88,7 +88,7 @@ void describe(Finding& finding, Line const& line) {
   set_reaction(finding, says::reaction, {}, value);
   if (std::string number = joined(line); !number.empty() && number != value) {
     finding.help.push_back(
-        message_of(says::parameter_did_you_mean, Argument{"suggestion", std::move(number)}));
+        message_of(validator::says::parameter_did_you_mean, Argument{"suggestion", std::move(number)}));
   }
   finding.help.push_back(message(says::help));
 }
@@ -106,9 +106,9 @@ void suspicious_trailer(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1007{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = suspicious_trailer,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1007

@@ -3,7 +3,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1008::says {
 
 constexpr Sentence headline{"text after `Ende` is ignored", "Text nach `Ende` wird nicht mehr gelesen"};
 constexpr Sentence related{"the list ends here", "hier endet die Liste"};
@@ -11,9 +11,9 @@ constexpr Sentence help{
     "if it belongs to the list, remove this `Ende`; else remove it or make it a comment",
     "gehört er zur Liste, dieses `Ende` entfernen; sonst ihn entfernen oder zum Kommentar machen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1008::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1008 {
 namespace {
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& /*problem*/) {
@@ -30,9 +30,9 @@ void text_after_end(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1008{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = text_after_end,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1008

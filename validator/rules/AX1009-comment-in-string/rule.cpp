@@ -2,7 +2,7 @@
 
 #include "validator/rules/helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1009::says {
 
 constexpr Sentence headline{"after a symbol only `(` opens a comment",
                             "nach einem Symbol beginnt ein Kommentar nur mit `(`"};
@@ -11,9 +11,9 @@ constexpr Sentence string{"in a string only `(` opens a comment",
 constexpr Sentence reaction{"it reads `{value}`", "sie liest `{value}`"};
 constexpr Sentence fix{"open the comment with `(`", "den Kommentar mit `(` beginnen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1009::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1009 {
 namespace {
 
 void describe(Finding& finding, Line const& line) {
@@ -36,8 +36,8 @@ void comment_in_string(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1009{
+extern constinit Rule const rule{
     .check = comment_in_string,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1009

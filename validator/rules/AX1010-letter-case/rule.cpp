@@ -3,7 +3,7 @@
 #include "diagnostics/ascii.hpp"
 #include "validator/rules/helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1010::says {
 
 constexpr Sentence headline{"`{written}` differs from `{expected}` in letter case",
                             "`{written}` weicht in der Groß- und Kleinschreibung von `{expected}` ab"};
@@ -11,9 +11,9 @@ constexpr Sentence reaction{"how it treats a different letter case is not docume
                             "ihr Verhalten bei anderer Groß- und Kleinschreibung ist nicht dokumentiert"};
 constexpr Sentence fix{"write `{expected}`", "`{expected}` schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1010::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1010 {
 namespace {
 
 constexpr std::string_view end_marker = "Ende";
@@ -56,9 +56,9 @@ void letter_case(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1010{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = letter_case,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1010

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <optional>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1011::says {
 
 constexpr Sentence headline{"the comment names {named}, but `{parameter}` is {own}",
                             "der Kommentar nennt {named}, `{parameter}` ist aber {own}"};
@@ -13,9 +13,9 @@ constexpr Sentence note{"{named} is `{name}`", "{named} ist `{name}`"};
 constexpr Sentence help{"correct the comment, or the name if the comment is right",
                         "den Kommentar berichtigen, oder den Namen, wenn der Kommentar stimmt"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1011::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1011 {
 namespace {
 
 struct Mention {
@@ -87,9 +87,9 @@ void comment_names_other_parameter(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1011{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = comment_names_other_parameter,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1011

@@ -3,7 +3,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1012::says {
 
 constexpr Sentence headline{"the quotation mark is not closed on this line",
                             "das Anführungszeichen wird in dieser Zeile nicht geschlossen"};
@@ -12,9 +12,9 @@ constexpr Sentence fix{"close the quotation mark at the end of the line",
 constexpr Sentence help{"write `\"` at the end of the text, before the comment",
                         "am Ende des Textes, vor dem Kommentar, `\"` schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1012::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1012 {
 namespace {
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
@@ -34,8 +34,8 @@ void unterminated_string(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1012{
+extern constinit Rule const rule{
     .check = unterminated_string,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1012

@@ -8,16 +8,16 @@
 #include <algorithm>
 #include <optional>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1014::says {
 
 constexpr Sentence headline{"`{parameter}` is in {unit}, not in {written}",
                             "`{parameter}` gilt in {unit}, nicht in {written}"};
 constexpr Sentence reaction{"it ignores the unit", "sie übergeht die Einheit"};
 constexpr Sentence help{"write the number in {unit}", "die Zahl in {unit} schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1014::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1014 {
 namespace {
 
 Span unit_span(Line const& line) {
@@ -69,7 +69,7 @@ void describe(Finding& finding, Line const& line) {
   }
   // The written value stays readable, as a comment.
   finding.fix = replace_by(line.place({.begin = value.begin, .end = value.begin}), number + " ( ",
-                           message(says::parameter_fix, {{"replacement", number}}));
+                           message(validator::says::parameter_fix, {{"replacement", number}}));
 }
 
 void unit_in_trailer(ListContext const& context, Report& report) {
@@ -80,8 +80,8 @@ void unit_in_trailer(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1014{
+extern constinit Rule const rule{
     .check = unit_in_trailer,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1014

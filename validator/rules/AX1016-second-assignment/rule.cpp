@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax1016::says {
 
 constexpr Sentence headline{"`{name}` is on the line of another parameter",
                             "`{name}` steht in der Zeile eines anderen Parameters"};
 constexpr Sentence reaction{"it ignores the rest of the line", "sie übergeht den Rest der Zeile"};
 constexpr Sentence fix{"begin a new line", "eine neue Zeile beginnen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax1016::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax1016 {
 namespace {
 
 /// The text after the value that is not a comment.
@@ -53,9 +53,9 @@ void second_assignment(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax1016{
+extern constinit Rule const rule{
     .precedence = Precedence::before_family,
     .check = second_assignment,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax1016

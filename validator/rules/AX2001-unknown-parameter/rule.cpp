@@ -5,7 +5,7 @@
 #include "validator/sentences.hpp"
 #include "validator/values/lost_assignment.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2001::says {
 
 constexpr Sentence headline{"unknown parameter `{name}`", "unbekannter Parameter `{name}`"};
 constexpr Sentence former_name{"`{name}` is a former name of `{suggestion}`",
@@ -16,9 +16,9 @@ constexpr Sentence help{
     "den Namen berichtigen; einen Parameter eines neueren Stands kann eine Schemadatei beschreiben "
     "(`--schema`)"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2001::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2001 {
 namespace {
 
 /// A number of another kind of list: then the name is not misspelt, the line is in the wrong list.
@@ -44,11 +44,12 @@ void describe(Finding& finding, Line const& line) {
   }
   finding.help.reserve(suggestions.names.size());
   for (std::string const& suggestion : suggestions.names) {
-    finding.help.push_back(message_of(says::parameter_did_you_mean, Argument{"suggestion", suggestion}));
+    finding.help.push_back(
+        message_of(validator::says::parameter_did_you_mean, Argument{"suggestion", suggestion}));
   }
   if (!suggestions.is_certain) return;
   finding.fix = replace_by(line.place(line.assignment().name), best,
-                           message_of(says::parameter_fix, Argument{"replacement", best}));
+                           message_of(validator::says::parameter_fix, Argument{"replacement", best}));
 }
 
 /// An image would lack the setting that the line was meant for.
@@ -82,10 +83,10 @@ void unknown_parameter(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2001{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .control = "1001119",
     .check = unknown_parameter,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2001

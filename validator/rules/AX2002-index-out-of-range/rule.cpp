@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2002::says {
 
 constexpr Sentence headline{
     "index {index} is out of range: `{parameter}` has the entries 0 to {last}",
@@ -19,9 +19,9 @@ constexpr Sentence reaction{"the entry is lost, start-up continues",
                             "der Eintrag geht verloren, der Hochlauf geht weiter"};
 constexpr Sentence help{"write its index: `{example}`", "seinen Index schreiben: `{example}`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2002::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2002 {
 namespace {
 
 bool is_wrong(Line const& line) {
@@ -92,8 +92,8 @@ void describe(Finding& finding, Line const& line) {
   relate_block(finding, line);
   // For a scalar the name alone is the repair; if other indices are possible, the intended one is unknown.
   if (name.status != Status::index_superfluous || pattern.find('[') != std::string::npos) return;
-  finding.fix =
-      replace_by(line.place(written), pattern, message(says::parameter_fix, {{"replacement", pattern}}));
+  finding.fix = replace_by(line.place(written), pattern,
+                           message(validator::says::parameter_fix, {{"replacement", pattern}}));
 }
 
 void index_out_of_range(ListContext const& context, Report& report) {
@@ -114,11 +114,11 @@ void index_out_of_range(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2002{
+extern constinit Rule const rule{
     .control = "2009",
     .about = [](schema::Parameter const&) { return true; },
     .precedence = Precedence::before_family,
     .check = index_out_of_range,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2002

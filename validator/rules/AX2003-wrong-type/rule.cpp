@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2003::says {
 
 constexpr Sentence parameter_no_number{"it finds no number", "sie findet keine Zahl"};
 
@@ -24,9 +24,9 @@ constexpr Sentence boolean{"`{parameter}` is a switch: 0 or 1, not `{value}`",
 constexpr Sentence symbol{"`{parameter}` needs a symbol or its number, not `{value}`",
                           "`{parameter}` braucht ein Symbol oder dessen Nummer, nicht `{value}`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2003::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2003 {
 namespace {
 
 SentenceRef headline(schema::Parameter const& parameter) {
@@ -52,7 +52,8 @@ std::string_view switch_meant(std::string_view word) {
 void name_numbers(Finding& finding, Line const& line, std::string const& value) {
   schema::Parameter const& parameter = *line.line_value().row;
   if (parameter.number_names.empty()) return;
-  finding.notes.push_back(message_of(says::parameter_values, Argument{"values", allowed_values(parameter)}));
+  finding.notes.push_back(
+      message_of(validator::says::parameter_values, Argument{"values", allowed_values(parameter)}));
   auto const named = std::find_if(parameter.number_names.begin(), parameter.number_names.end(),
                                   [&](schema::Symbol const& symbol) {
                                     std::string_view const start = symbol.word.substr(0, value.size());
@@ -61,7 +62,7 @@ void name_numbers(Finding& finding, Line const& line, std::string const& value) 
   if (named == parameter.number_names.end()) return;
   std::string const number = std::to_string(named->number.value_or(0));
   finding.fix = replace_by(line.place(line.line_value().text), number,
-                           message(says::parameter_fix, {{"replacement", number}}));
+                           message(validator::says::parameter_fix, {{"replacement", number}}));
 }
 
 void describe(Finding& finding, Line const& line) {
@@ -74,7 +75,7 @@ void describe(Finding& finding, Line const& line) {
     finding.control->message = no_boolean;
     if (std::string const number(switch_meant(value)); !number.empty()) {
       finding.fix = replace_by(line.place(line.line_value().text), number,
-                               message(says::parameter_fix, {{"replacement", number}}));
+                               message(validator::says::parameter_fix, {{"replacement", number}}));
     }
   }
   if (!schema::is_number(parameter.type)) return;
@@ -91,7 +92,7 @@ void describe(Finding& finding, Line const& line) {
   if (real != std::floor(real) || std::abs(real) >= 1e15) return;
   std::string const whole = format_exact(real);
   finding.fix = replace_by(line.place(line.line_value().text), whole,
-                           message(says::parameter_fix, {{"replacement", whole}}));
+                           message(validator::says::parameter_fix, {{"replacement", whole}}));
 }
 
 void wrong_type(ListContext const& context, Report& report) {
@@ -103,10 +104,10 @@ void wrong_type(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2003{
+extern constinit Rule const rule{
     .about = [](schema::Parameter const&) { return true; },
     .precedence = Precedence::before_family,
     .check = wrong_type,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2003

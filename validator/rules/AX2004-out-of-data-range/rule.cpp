@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <string>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2004::says {
 
 constexpr Sentence headline{"{value} does not fit {type}", "{value} passt nicht in {type}"};
 constexpr Sentence range{"{type} holds {lowest} to {highest}", "{type} fasst {lowest} bis {highest}"};
 constexpr Sentence reaction{"it clips the value", "sie begrenzt den Wert"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2004::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2004 {
 namespace {
 
 /// Exact text of a limit: doubles cannot hold those of the 64-bit types.
@@ -79,7 +79,7 @@ void out_of_data_range(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2004{
+extern constinit Rule const rule{
     .control = "1001138",
     .about = [](schema::Parameter const& parameter) { return schema::is_integer(parameter.type); },
     .precedence = Precedence::before_family,
@@ -87,4 +87,4 @@ extern constinit Rule const ax2004{
     .list_check = out_of_data_range_in_list,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2004

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string_view>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2005::says {
 
 constexpr Sentence parameter_value_in_unit{"this is {value}", "das sind {value}"};
 
@@ -26,9 +26,9 @@ constexpr Sentence nearest{"the nearest value allowed is `{value}`",
                            "der nächste zulässige Wert ist `{value}`"};
 constexpr Sentence file{"limit from {file}", "Grenze aus {file}"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2005::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2005 {
 namespace {
 
 /// The default list belongs to no axis: its axis number is 0 or missing, whatever the range of the others.
@@ -150,7 +150,7 @@ void out_of_range(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2005{
+extern constinit Rule const rule{
     .control = messages_of<range_reactions>,
     .about =
         [](schema::Parameter const& parameter) {
@@ -163,4 +163,4 @@ extern constinit Rule const ax2005{
     .list_check = out_of_range_in_list,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2005

@@ -7,16 +7,16 @@
 #include <unordered_map>
 #include <utility>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2006::says {
 
 constexpr Sentence headline{"`{parameter}` is set again in line {line}; the last value applies",
                             "`{parameter}` wird in Zeile {line} erneut gesetzt, es gilt der letzte Wert"};
 constexpr Sentence related{"this value applies", "dieser Wert gilt"};
 constexpr Sentence fix{"make the earlier one a comment", "die frühere Zuweisung zum Kommentar machen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2006::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2006 {
 namespace {
 
 /// The earlier of two lines that set one parameter.
@@ -54,10 +54,10 @@ void duplicate_parameter(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2006{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .precedence = Precedence::after_text,
     .check = duplicate_parameter,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2006

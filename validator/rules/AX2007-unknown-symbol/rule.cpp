@@ -5,22 +5,23 @@
 #include "validator/rules/sentences.hpp"
 #include "validator/sentences.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2007::says {
 
 constexpr Sentence headline{"`{value}` is not a valid value for `{parameter}`",
                             "`{value}` ist kein gültiger Wert für `{parameter}`"};
 constexpr Sentence reaction{"it does not know the value", "sie kennt den Wert nicht"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2007::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2007 {
 namespace {
 
 void describe(Finding& finding, Line const& line) {
   schema::Parameter const& parameter = *line.line_value().row;
   std::string const value = line.text(line.line_value().text);
   finding.message = message_of(says::headline, Argument{"value", value}, Argument{"parameter", line.name()});
-  finding.notes.push_back(message_of(says::parameter_values, Argument{"values", allowed_values(parameter)}));
+  finding.notes.push_back(
+      message_of(validator::says::parameter_values, Argument{"values", allowed_values(parameter)}));
   if (parameter.symbols.empty()) {
     finding.control.reset();  // its reaction to an unknown number is not documented
   } else {
@@ -29,12 +30,12 @@ void describe(Finding& finding, Line const& line) {
   std::vector<std::string_view> const suggestions = schema::suggest_symbols(parameter, value);
   for (std::string_view const suggestion : suggestions) {
     finding.help.push_back(
-        message_of(says::parameter_did_you_mean, Argument{"suggestion", std::string(suggestion)}));
+        message_of(validator::says::parameter_did_you_mean, Argument{"suggestion", std::string(suggestion)}));
   }
   if (suggestions.empty()) return;
   std::string const best(suggestions.front());
   finding.fix = replace_by(line.place(line.line_value().text), best,
-                           message_of(says::parameter_fix, Argument{"replacement", best}));
+                           message_of(validator::says::parameter_fix, Argument{"replacement", best}));
 }
 
 /// One of the words that `|` joins is nearly one of the parameter's.
@@ -63,7 +64,7 @@ void unknown_symbol(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2007{
+extern constinit Rule const rule{
     .control = "2021",
     .about =
         [](schema::Parameter const& parameter) {
@@ -73,4 +74,4 @@ extern constinit Rule const ax2007{
     .check = unknown_symbol,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2007

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2008::says {
 
 constexpr Sentence headline{"the text has {length} characters, `{parameter}` holds {limit}",
                             "der Text hat {length} Zeichen, `{parameter}` fasst {limit}"};
@@ -12,9 +12,9 @@ constexpr Sentence reaction{"it reports the text as too long, start-up continues
                             "sie meldet den Text als zu lang, der Hochlauf geht weiter"};
 constexpr Sentence help{"shorten it to {limit} characters", "auf {limit} Zeichen kürzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2008::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2008 {
 namespace {
 
 std::size_t characters(std::string_view utf8) {
@@ -45,10 +45,10 @@ void string_too_long(ListContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2008{
+extern constinit Rule const rule{
     .control = "2023",
     .about = [](schema::Parameter const& parameter) { return parameter.max_length > 0; },
     .check = string_too_long,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2008

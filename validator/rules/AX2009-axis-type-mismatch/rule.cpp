@@ -2,7 +2,7 @@
 
 #include "validator/rules/helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2009::says {
 
 constexpr Sentence translatory{"`{parameter}` is not meant for translatory axes",
                                "`{parameter}` ist für translatorische Achsen nicht vorgesehen"};
@@ -14,9 +14,9 @@ constexpr Sentence types{"axis types: {types}", "Achstypen: {types}"};
 constexpr Sentence help{"remove the line, or correct the axis type (`kenngr.achs_typ`)",
                         "die Zeile entfernen, oder den Achstyp (`kenngr.achs_typ`) berichtigen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2009::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2009 {
 namespace {
 
 char letter(machine::AxisType type) {
@@ -73,11 +73,11 @@ void axis_type_mismatch(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2009{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .about = [](schema::Parameter const& parameter) { return !parameter.axis_types.empty(); },
     .precedence = Precedence::after_text,
     .check = axis_type_mismatch,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2009

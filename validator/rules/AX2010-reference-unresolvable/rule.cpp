@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2010::says {
 
 constexpr Sentence headline{"there is no parameter {p_axis}", "einen Parameter {p_axis} gibt es nicht"};
 constexpr Sentence no_value{
@@ -17,9 +17,9 @@ constexpr Sentence overwritten{"it cannot resolve the reference; a later line ap
 constexpr Sentence help{"correct the number, or write the value itself",
                         "die Nummer berichtigen, oder den Wert selbst schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2010::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2010 {
 namespace {
 
 bool exists(AxisContext const& context, std::uint32_t p_axis) {
@@ -63,9 +63,9 @@ void reference_unresolvable(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2010{
+extern constinit Rule const rule{
     .control = "2052",
     .check = reference_unresolvable,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2010

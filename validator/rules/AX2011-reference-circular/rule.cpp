@@ -3,7 +3,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/reference_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2011::says {
 
 constexpr Sentence itself{"`{parameter}` refers to itself", "`{parameter}` verweist auf sich selbst"};
 constexpr Sentence circle{"`{parameter}` refers to itself in a circle",
@@ -11,9 +11,9 @@ constexpr Sentence circle{"`{parameter}` refers to itself in a circle",
 constexpr Sentence member{"`{parameter}` belongs to the circle", "`{parameter}` gehört zum Kreis"};
 constexpr Sentence help{"give one of the parameters a number", "einem der Parameter eine Zahl geben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2011::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2011 {
 namespace {
 
 void reference_circular(AxisContext const& context, Report& report) {
@@ -33,9 +33,9 @@ void reference_circular(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2011{
+extern constinit Rule const rule{
     .control = "2051",
     .check = reference_circular,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2011

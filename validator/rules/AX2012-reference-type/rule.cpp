@@ -3,7 +3,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/reference_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2012::says {
 
 constexpr Sentence headline{"`{parameter}` is {type}, but {p_axis} is {other}",
                             "`{parameter}` ist {type}, {p_axis} aber {other}"};
@@ -12,9 +12,9 @@ constexpr Sentence symbol{"`{value}`, the value of {p_axis}, is not a valid valu
 constexpr Sentence help{"refer to a parameter of the same type, or write the value itself",
                         "auf einen Parameter gleichen Typs verweisen, oder den Wert selbst schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2012::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2012 {
 namespace {
 
 void reference_type(AxisContext const& context, Report& report) {
@@ -41,9 +41,9 @@ void reference_type(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2012{
+extern constinit Rule const rule{
     .control = "2062",
     .check = reference_type,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2012

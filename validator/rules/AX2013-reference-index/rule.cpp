@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2013::says {
 
 constexpr Sentence headline{"{p_axis} has the entries 0 to {last}, not {index}",
                             "{p_axis} hat die Einträge 0 bis {last}, nicht {index}"};
@@ -14,9 +14,9 @@ constexpr Sentence scalar{"{p_axis} is not an array and has no entry {index}",
 constexpr Sentence help{"use an index in range, or write the value itself",
                         "einen gültigen Index verwenden, oder den Wert selbst schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2013::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2013 {
 namespace {
 
 /// The index as the list writes it: a number of any length.
@@ -49,9 +49,9 @@ void reference_index(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2013{
+extern constinit Rule const rule{
     .control = "2045",
     .check = reference_index,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2013

@@ -4,7 +4,7 @@
 #include "validator/rules/reference_words.hpp"
 #include "validator/views/units_text.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2014::says {
 
 constexpr Sentence headline{"`{parameter}` is in {unit}, but {p_axis} is in {other}",
                             "`{parameter}` hat die Einheit {unit}, {p_axis} aber {other}"};
@@ -12,9 +12,9 @@ constexpr Sentence reaction{"it takes the number as it is", "sie übernimmt die 
 constexpr Sentence help{"refer to a parameter of the same unit, or write the value itself",
                         "auf einen Parameter gleicher Einheit verweisen, oder den Wert selbst schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2014::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2014 {
 namespace {
 
 void reference_unit(AxisContext const& context, Report& report) {
@@ -36,11 +36,11 @@ void reference_unit(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2014{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .control = "2049",
     .precedence = Precedence::after_text,
     .check = reference_unit,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2014

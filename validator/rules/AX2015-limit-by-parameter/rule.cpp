@@ -9,7 +9,7 @@
 #include <optional>
 #include <tuple>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2015::says {
 
 constexpr Sentence headline{"`{parameter}` must be {relation} `{limit}`",
                             "`{parameter}` muss {relation} `{limit}` sein"};
@@ -22,9 +22,9 @@ constexpr Sentence limit_by_parameter_default{
 constexpr Sentence help{"correct `{parameter}`, or its limit `{limit}`",
                         "`{parameter}` oder die Grenze `{limit}` berichtigen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2015::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2015 {
 namespace {
 
 using schema::Limit;
@@ -193,7 +193,7 @@ bool is_about(schema::Parameter const& parameter) {
 
 }  // namespace
 
-extern constinit Rule const ax2015{
+extern constinit Rule const rule{
     .control = messages_of<limit_reactions>,
     .about = is_about,
     .precedence = Precedence::before_family,
@@ -201,4 +201,4 @@ extern constinit Rule const ax2015{
     .list_check = limit_in_list,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2015

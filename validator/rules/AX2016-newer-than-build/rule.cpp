@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2016::says {
 
 constexpr Sentence headline{"`{parameter}` needs build {needed} of the control, which has {build}",
                             "`{parameter}` braucht den Stand {needed} der Steuerung, sie hat {build}"};
@@ -24,9 +24,9 @@ constexpr Sentence help{"leave it out, or use a build that has it",
 constexpr Sentence help_spindle{"switch the filter off, or use a newer build",
                                 "den Filter ausschalten, oder einen neueren Stand verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2016::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2016 {
 namespace {
 
 struct Family {
@@ -165,7 +165,7 @@ bool is_about(schema::Parameter const& parameter) {
 
 }  // namespace
 
-extern constinit Rule const ax2016{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .about = is_about,
     .precedence = Precedence::after_text,
@@ -173,4 +173,4 @@ extern constinit Rule const ax2016{
     .program_check = commands_newer_than_build,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2016

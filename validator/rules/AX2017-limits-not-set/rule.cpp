@@ -3,7 +3,7 @@
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2017::says {
 
 constexpr Sentence headline{
     "no list gives the axis \"{axis}\" a velocity or an acceleration limit",
@@ -12,9 +12,9 @@ constexpr Sentence standard{"{p_axis}: `{parameter}` has its default, {value}",
                             "{p_axis}: `{parameter}` hat seinen Standardwert {value}"};
 constexpr Sentence help{"set `vb_max` and `a_max` of the axis", "`vb_max` und `a_max` der Achse setzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2017::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2017 {
 namespace {
 
 void limits_not_set(AxisContext const& axis, Report& report) {
@@ -37,10 +37,10 @@ void limits_not_set(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2017{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "getriebe[].dynamik.a_max getriebe[].dynamik.vb_max kopf.achs_nr",
     .check = limits_not_set,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2017

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3001::says {
 
 constexpr Sentence headline{"order {order} is not allowed for `{type}`",
                             "die Ordnung {order} ist für `{type}` nicht zulässig"};
@@ -23,9 +23,9 @@ constexpr Sentence limit_either{"{p_axis}: order = 0 or {limit} for `{type}`",
                                 "{p_axis}: order = 0 oder {limit} für `{type}`"};
 constexpr Sentence fix{"set the order to {limit}", "die Ordnung auf {limit} setzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3001::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3001 {
 namespace {
 
 // Message numbers of the control.
@@ -73,9 +73,9 @@ Finding* check(EffectiveValue const& order, AllowedOrder const& allowed, std::st
   finding.notes.push_back({up_to ? says::limit : says::limit_either,
                            {{"p_axis", parameter_number(order)}, {"limit", limit}, {"type", type}}});
   if (allowed.reaction == Reaction::clipped) {
-    react(finding, order_clipped, {says::filter_reaction_clipped, {}}, limit);
+    react(finding, order_clipped, {validator::says::filter_reaction_clipped, {}}, limit);
   } else {
-    react(finding, order_refused, {says::filter_reaction_refused, {}});
+    react(finding, order_refused, {validator::says::filter_reaction_refused, {}});
   }
   if (order.value_place() && !order.referenced) {
     finding.fix = Fix{.title = {says::fix, {{"limit", limit}}},
@@ -102,7 +102,7 @@ void filter_order_for_type(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3001{
+extern constinit Rule const rule{
     .control = control_numbers<order_refused, order_clipped>,
     .parameters =
         "filters[].order filters[].type filters[].prototype filters[].enable filter_fir.order "
@@ -110,4 +110,4 @@ extern constinit Rule const ax3001{
     .check = filter_order_for_type,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3001

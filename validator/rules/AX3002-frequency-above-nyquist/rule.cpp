@@ -6,7 +6,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/sentences.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3002::says {
 
 constexpr Sentence headline{"{frequency} Hz is not below half the sampling rate, {limit} Hz",
                             "{frequency} Hz liegt nicht unter der halben Abtastrate von {limit} Hz"};
@@ -22,9 +22,9 @@ constexpr Sentence axis_stops{"it cannot design the filter and stops the axis",
 constexpr Sentence limit{"{p_axis}: 0 < f < 0.5/T = {limit} Hz for `{user}`",
                          "{p_axis}: 0 < f < 0,5/T = {limit} Hz für `{user}`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3002::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3002 {
 namespace {
 
 // Message numbers of the control.
@@ -76,7 +76,7 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
     describe(finding, frequency, parameter_name(found.frequency), axis.cycle_time);
     bool const stops = found.filtering == Filtering::distance_control;
     react(finding, message_of(found.filtering),
-          {stops ? says::axis_stops : says::filter_reaction_refused, {}});
+          {stops ? says::axis_stops : validator::says::filter_reaction_refused, {}});
   }
 }
 
@@ -108,7 +108,7 @@ void frequency_above_nyquist_in_list(ListContext const& context, Report& report)
 
 }  // namespace
 
-extern constinit Rule const ax3002{
+extern constinit Rule const rule{
     .control = control_numbers<setpoint_refused, guard_refused, position_controller_refused,
                                distance_control_refused>,
     .parameters =
@@ -122,4 +122,4 @@ extern constinit Rule const ax3002{
     .list_check = frequency_above_nyquist_in_list,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3002

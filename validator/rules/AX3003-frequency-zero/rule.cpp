@@ -3,7 +3,7 @@
 #include "validator/rules/characteristic_frequency.hpp"
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3003::says {
 
 constexpr Sentence headline{"`{user}` cannot work at {frequency} Hz",
                             "`{user}` kann bei {frequency} Hz nicht arbeiten"};
@@ -15,9 +15,9 @@ constexpr Sentence reaction{"it raises the frequency to the lowest allowed one",
 constexpr Sentence help{"set the intended frequency; `enable 0` switches a filter off",
                         "die gewünschte Frequenz setzen; `enable 0` schaltet einen Filter ab"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3003::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3003 {
 namespace {
 
 void frequency_zero(AxisContext const& axis, Report& report) {
@@ -41,7 +41,7 @@ void frequency_zero(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3003{
+extern constinit Rule const rule{
     .control = "110361",
     .parameters =
         "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype filter_fir.fcut "
@@ -49,4 +49,4 @@ extern constinit Rule const ax3003{
     .check = frequency_zero,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3003

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3004::says {
 
 constexpr Sentence headline{"the time constant of `{type}` must be at least one NC cycle",
                             "die Zeitkonstante von `{type}` muss mindestens einen NC-Zyklus lang sein"};
@@ -17,9 +17,9 @@ constexpr Sentence limit{"{p_axis}: time_constant ≥ T = {limit} ({milliseconds
 constexpr Sentence help{"`{parameter} {shortest}` is the shortest; its cut-off frequency is {frequency} Hz",
                         "`{parameter} {shortest}` ist die kürzeste; ihre Grenzfrequenz ist {frequency} Hz"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3004::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3004 {
 namespace {
 
 bool is_lag(FilterView const& filter) {
@@ -52,7 +52,7 @@ void time_constant_below_cycle(FilterContext const& context, Report& report) {
   relate_type(finding, filter);
   if (cycles * 1000 >= 1) {
     finding.help.push_back(
-        {says::milliseconds_meant,
+        {validator::says::milliseconds_meant,
          {{"value", number(time.value.number)},
           {"replacement", parameter_name(time) + " " + number(time.value.number * 1000)}}});
   }
@@ -60,12 +60,12 @@ void time_constant_below_cycle(FilterContext const& context, Report& report) {
                           {{"parameter", parameter_name(time)},
                            {"shortest", number(shortest)},
                            {"frequency", number(std::round(cut_off))}}});
-  react(finding, time_constant_message(context), {says::filter_reaction_off, {}});
+  react(finding, time_constant_message(context), {validator::says::filter_reaction_off, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3004{
+extern constinit Rule const rule{
     .control = control_numbers<path_refuses_time, spindle_refuses_time, position_controller_refuses_time>,
     .parameters = "filters[].time_constant filters[].type filters[].enable filters[].order",
     .needs = Needs::cycle_time,
@@ -73,4 +73,4 @@ extern constinit Rule const ax3004{
     .check = time_constant_below_cycle,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3004

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3005::says {
 
 constexpr Sentence headline{"the delay must be shorter than 6 NC cycles",
                             "die Verzögerung muss kürzer als 6 NC-Zyklen sein"};
@@ -17,9 +17,9 @@ constexpr Sentence help_longest{"`{parameter} {longest}` is the longest here",
 constexpr Sentence help_fir{"`filter_fir.type 4` delays by up to 100 cycles",
                             "`filter_fir.type 4` verzögert um bis zu 100 Zyklen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3005::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3005 {
 namespace {
 
 constexpr double shortest_refused_cycles =
@@ -47,16 +47,16 @@ void delay_too_long(FilterContext const& context, Report& report) {
   finding.help.push_back(
       {says::help_longest, {{"parameter", parameter_name(time)}, {"longest", number(std::ceil(limit) - 1)}}});
   if (filter.port == FilterPort::setpoint) finding.help.push_back({says::help_fir, {}});
-  react(finding, time_constant_message(context), {says::filter_reaction_off, {}});
+  react(finding, time_constant_message(context), {validator::says::filter_reaction_off, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3005{
+extern constinit Rule const rule{
     .control = control_numbers<path_refuses_time, spindle_refuses_time, position_controller_refuses_time>,
     .parameters = "filters[].time_constant filters[].type filters[].enable filters[].order",
     .needs = Needs::cycle_time,
     .check = delay_too_long,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3005

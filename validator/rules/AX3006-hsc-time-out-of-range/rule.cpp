@@ -4,7 +4,7 @@
 #include "validator/rules/sentences.hpp"
 #include "validator/views/hsc_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3006::says {
 
 constexpr Sentence headline{"`{filter}` has no order, and its time constant gives none",
                             "`{filter}` hat keine Ordnung, und seine Zeitkonstante ergibt keine"};
@@ -13,9 +13,9 @@ constexpr Sentence limit{"{p_axis}: T = {shortest} < time_constant < 200 T = {lo
 constexpr Sentence help{"`{parameter}` gives the order in cycles, 1 to 200",
                         "`{parameter}` gibt die Ordnung in Zyklen an, 1 bis 200"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3006::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3006 {
 namespace {
 
 void hsc_time_out_of_range(FilterContext const& context, Report& report) {
@@ -36,16 +36,16 @@ void hsc_time_out_of_range(FilterContext const& context, Report& report) {
                             {"longest", microseconds(longest)}}});
   note_default(finding, time);
   finding.help.push_back({says::help, {{"parameter", parameter_name(filter.order)}}});
-  react(finding, {says::kernel_reaction_not_active, {}});
+  react(finding, {validator::says::kernel_reaction_not_active, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3006{
+extern constinit Rule const rule{
     .control = "50910",
     .parameters = "filter[].time_constant filter[].order filter[].type filter[].prototype",
     .needs = Needs::cycle_time,
     .check = hsc_time_out_of_range,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3006

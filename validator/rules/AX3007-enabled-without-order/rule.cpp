@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/sentences.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3007::says {
 
 constexpr Sentence headline{"`{filter}` is enabled, but its order is 0: it is not active",
                             "`{filter}` ist eingeschaltet, aber seine Ordnung ist 0: er ist nicht aktiv"};
@@ -17,9 +17,9 @@ constexpr Sentence limit{
 constexpr Sentence help{"set `{order}` to at least 1, or `{enable}` to 0",
                         "`{order}` auf mindestens 1 setzen, oder `{enable}` auf 0"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3007::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3007 {
 namespace {
 
 void enabled_without_order(FilterContext const& context, Report& report) {
@@ -38,15 +38,15 @@ void enabled_without_order(FilterContext const& context, Report& report) {
                             {"order_number", parameter_number(filter.order)}}});
   finding.help.push_back(
       {says::help, {{"order", parameter_name(filter.order)}, {"enable", parameter_name(filter.enable)}}});
-  react(finding, {says::filter_reaction_inactive, {}});
+  react(finding, {validator::says::filter_reaction_inactive, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3007{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filters[].order filters[].enable",
     .check = enabled_without_order,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3007

@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/sentences.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3008::says {
 
 constexpr Sentence headline{"`{filter}` has order {order}, but is not enabled",
                             "`{filter}` hat die Ordnung {order}, ist aber nicht eingeschaltet"};
@@ -11,9 +11,9 @@ constexpr Sentence label{"has no effect while `{enable}` is 0", "ohne Wirkung, s
 constexpr Sentence enable_here{"the filter is switched off here", "hier wird der Filter ausgeschaltet"};
 constexpr Sentence help{"`{enable} 1` switches the filter on", "`{enable} 1` schaltet den Filter ein"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3008::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3008 {
 namespace {
 
 void order_without_enable(FilterContext const& context, Report& report) {
@@ -28,15 +28,15 @@ void order_without_enable(FilterContext const& context, Report& report) {
     finding.related.push_back({*filter.enable.value_place(), {says::enable_here, {}}});
   }
   finding.help.push_back({says::help, {{"enable", parameter_name(filter.enable)}}});
-  react(finding, {says::filter_reaction_inactive, {}});
+  react(finding, {validator::says::filter_reaction_inactive, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3008{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "filters[].order filters[].enable",
     .check = order_without_enable,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3008

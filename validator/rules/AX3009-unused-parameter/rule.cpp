@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3009::says {
 
 constexpr Sentence headline{"`{type}` does not use `{parameter}`", "`{type}` verwendet `{parameter}` nicht"};
 constexpr Sentence label{"{value} has no effect", "{value} hat keine Wirkung"};
@@ -26,9 +26,9 @@ constexpr Sentence fir_quality{"{p_axis}: quality is for type 2, Gaussian",
 constexpr Sentence help{"remove the line, or choose a type that uses the parameter",
                         "die Zeile entfernen, oder einen Typ wählen, der den Parameter verwendet"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3009::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3009 {
 namespace {
 
 /// The parameters that a type uses (manual "axis filters", table 3.1); every type uses order and share.
@@ -83,7 +83,7 @@ Finding* check(Candidate const& candidate, std::string const& type, Report& repo
   if (candidate.uses != nullptr) users.arguments.push_back({"types", types_with(candidate.uses)});
   finding.notes.push_back(std::move(users));
   finding.help.push_back({says::help, {}});
-  react(finding, {says::filter_value_ignored, {}});
+  react(finding, {validator::says::filter_value_ignored, {}});
   return &finding;
 }
 
@@ -123,11 +123,11 @@ void unused_parameter(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3009{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filters[].* filter_fir.fcut filter_fir.quality filter_fir.type",
     .precedence = Precedence::after_family,
     .check = unused_parameter,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3009

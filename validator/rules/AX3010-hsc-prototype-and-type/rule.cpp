@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/hsc_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3010::says {
 
 constexpr Sentence type{"`{type}` needs the prototype `HSC`", "`{type}` braucht den Prototyp `HSC`"};
 constexpr Sentence prototype{"the prototype `HSC` does not match the type `{type}`",
@@ -17,9 +17,9 @@ constexpr Sentence help{"`{parameter} HSC` makes it an HSC filter",
 constexpr Sentence help_standard{"use the prototype `CRIT_DAMPING`, `BUTTERWORTH` or `BESSEL`",
                                  "den Prototyp `CRIT_DAMPING`, `BUTTERWORTH` oder `BESSEL` verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3010::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3010 {
 namespace {
 
 bool is_hsc_type(int type) {
@@ -47,10 +47,10 @@ void hsc_prototype_and_type(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3010{
+extern constinit Rule const rule{
     .parameters = "filters[].prototype filters[].type",
     .silenced_by = codes<3012>,
     .check = hsc_prototype_and_type,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3010

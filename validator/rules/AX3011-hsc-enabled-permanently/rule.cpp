@@ -4,7 +4,7 @@
 #include "validator/rules/hsc_words.hpp"
 #include "validator/views/hsc_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3011::says {
 
 constexpr Sentence headline{"the HSC filter `{filter}` cannot be switched on by the list",
                             "der HSC-Filter `{filter}` lässt sich nicht durch die Liste einschalten"};
@@ -14,9 +14,9 @@ constexpr Sentence fix{"set `{enable}` to 0", "`{enable}` auf 0 setzen"};
 constexpr Sentence reaction{"the filter is not switched on permanently",
                             "der Filter wird nicht dauerhaft eingeschaltet"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3011::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3011 {
 namespace {
 
 void hsc_enabled_permanently(FilterContext const& context, Report& report) {
@@ -35,10 +35,10 @@ void hsc_enabled_permanently(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3011{
+extern constinit Rule const rule{
     .control = "110629",
     .parameters = "filters[].enable filters[].prototype",
     .check = hsc_enabled_permanently,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3011

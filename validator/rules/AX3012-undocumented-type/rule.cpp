@@ -3,7 +3,7 @@
 #include "design/filter_kinds.hpp"
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3012::says {
 
 constexpr Sentence headline{"the filter type `{type}` is not documented",
                             "der Filtertyp `{type}` ist nicht dokumentiert"};
@@ -18,9 +18,9 @@ constexpr Sentence limit_interface{"{p_axis}: HSC filters can be used as axis fi
                                    "{p_axis}: HSC-Filter sind nur als Achsfilter verwendbar"};
 constexpr Sentence help{"documented are {types}", "dokumentiert sind {types}"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3012::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3012 {
 namespace {
 
 bool is_undocumented(int type) {
@@ -53,9 +53,9 @@ void undocumented_type(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3012{
+extern constinit Rule const rule{
     .parameters = "filters[].type",
     .check = undocumented_type,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3012

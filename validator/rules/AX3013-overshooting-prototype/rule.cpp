@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/step_overshoot.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3013::says {
 
 constexpr Sentence headline{
     "a low-pass `{prototype}` of order {order} overshoots: it does not suit position setpoints",
@@ -19,9 +19,9 @@ constexpr Sentence help_lower{
     "`{parameter}` verringern: über 0,1/T = {limit} Hz schwingt auch `CRIT_DAMPING` über, hier um "
     "{overshoot} %"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3013::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3013 {
 namespace {
 
 constexpr double noticeable = 1e-3;
@@ -63,11 +63,11 @@ void overshooting_prototype(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3013{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filter[].prototype filter[].type filter[].order filter[].enable",
     .needs = Needs::cycle_time,
     .check = overshooting_prototype,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3013

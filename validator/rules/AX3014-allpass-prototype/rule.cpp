@@ -2,7 +2,7 @@
 
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3014::says {
 
 constexpr Sentence headline{"an all-pass of order {order} should use the prototype `BESSEL`",
                             "ein Allpass der Ordnung {order} sollte den Prototyp `BESSEL` verwenden"};
@@ -11,9 +11,9 @@ constexpr Sentence label{"with `{prototype}` the group delay is less even over t
 constexpr Sentence help{"`{parameter} BESSEL` delays all frequencies nearly alike",
                         "`{parameter} BESSEL` verzögert alle Frequenzen nahezu gleich"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3014::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3014 {
 namespace {
 
 void allpass_prototype(FilterContext const& context, Report& report) {
@@ -31,10 +31,10 @@ void allpass_prototype(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3014{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filters[].prototype filters[].type filters[].order filters[].enable",
     .check = allpass_prototype,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3014

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3015::says {
 
 constexpr Sentence headline{"share 0: `{filter}` has no effect",
                             "Signalanteil 0: `{filter}` hat keine Wirkung"};
@@ -19,9 +19,9 @@ constexpr Sentence help{"`{enable} 0` is the clear way to switch the filter off"
 constexpr Sentence help_whole{"`{share} 100` sends the whole signal through the filter",
                               "`{share} 100` führt das ganze Signal durch den Filter"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3015::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3015 {
 namespace {
 
 bool works(FilterView const& filter) {
@@ -38,7 +38,7 @@ void check(EffectiveValue const& share, std::string filter, EffectiveValue const
   } else {
     finding.help.push_back({says::help_whole, {{"share", parameter_name(share)}}});
   }
-  react(finding, {says::filter_reaction_inactive, {}});
+  react(finding, {validator::says::filter_reaction_inactive, {}});
 }
 
 void share_zero(AxisContext const& axis, Report& report) {
@@ -51,7 +51,7 @@ void share_zero(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3015{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "filters[].share_percent filters[].enable filters[].order filters[].type filter_fir.share "
@@ -59,4 +59,4 @@ extern constinit Rule const ax3015{
     .check = share_zero,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3015

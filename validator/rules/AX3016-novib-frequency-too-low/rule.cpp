@@ -4,7 +4,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/views/hsc_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3016::says {
 
 constexpr Sentence headline{"HSC NoVib cannot suppress {frequency} Hz at this cycle time",
                             "HSC NoVib kann {frequency} Hz bei dieser Zykluszeit nicht unterdrücken"};
@@ -15,9 +15,9 @@ constexpr Sentence limit{"{p_axis}: f ≥ 1/(101 T) = {lowest} Hz at T = {cycle}
 constexpr Sentence help{"for lower frequencies use `BANDSTOP`, which does not have this limit",
                         "für kleinere Frequenzen `BANDSTOP` verwenden, das diese Grenze nicht hat"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3016::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3016 {
 namespace {
 
 void novib_frequency_too_low(FilterContext const& context, Report& report) {
@@ -42,10 +42,10 @@ void novib_frequency_too_low(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3016{
+extern constinit Rule const rule{
     .parameters = "filter[].fg_f0 filter[].type filter[].prototype",
     .needs = Needs::cycle_time,
     .check = novib_frequency_too_low,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3016

@@ -2,7 +2,7 @@
 
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3017::says {
 
 constexpr Sentence headline{"`{type}` blocks the constant part of the position setpoint",
                             "`{type}` sperrt den Gleichanteil des Positionssollwerts"};
@@ -17,9 +17,9 @@ constexpr Sentence note{
 constexpr Sentence help{"`{parameter} LOWPASS` or `{parameter} BANDSTOP` is nearly always what is meant",
                         "gemeint ist fast immer `{parameter} LOWPASS` oder `{parameter} BANDSTOP`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3017::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3017 {
 namespace {
 
 void blocks_constant_part(FilterContext const& context, Report& report) {
@@ -40,10 +40,10 @@ void blocks_constant_part(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3017{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filter[].type filter[].share_percent filter[].enable filter[].order",
     .check = blocks_constant_part,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3017

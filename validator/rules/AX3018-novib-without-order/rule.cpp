@@ -4,7 +4,7 @@
 #include "validator/rules/sentences.hpp"
 #include "validator/views/hsc_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3018::says {
 
 constexpr Sentence headline{"the HSC NoVib filter `{filter}` has order 0: it is never active",
                             "der HSC-NoVib-Filter `{filter}` hat die Ordnung 0: er wirkt nie"};
@@ -12,9 +12,9 @@ constexpr Sentence limit{"{p_axis}: NoVib computes its order itself, but is acti
                          "{p_axis}: NoVib berechnet seine Ordnung selbst, ist aber nur mit order > 0 aktiv"};
 constexpr Sentence help{"`{parameter} 1` activates it", "`{parameter} 1` aktiviert ihn"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3018::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3018 {
 namespace {
 
 void novib_without_order(FilterContext const& context, Report& report) {
@@ -25,15 +25,15 @@ void novib_without_order(FilterContext const& context, Report& report) {
   finding.notes.push_back({says::limit, {{"p_axis", parameter_number(filter.order)}}});
   note_default(finding, filter.order);
   finding.help.push_back({says::help, {{"parameter", parameter_name(filter.order)}}});
-  react(finding, {says::kernel_reaction_not_active, {}});
+  react(finding, {validator::says::kernel_reaction_not_active, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3018{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filter[].order filter[].type filter[].prototype",
     .check = novib_without_order,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3018

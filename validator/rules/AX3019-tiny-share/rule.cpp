@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3019::says {
 
 constexpr Sentence headline{"share {share} %: `{filter}` changes next to nothing",
                             "Signalanteil {share} %: `{filter}` ändert fast nichts"};
@@ -13,9 +13,9 @@ constexpr Sentence limit{"{p_axis}: the share is in percent; 100 is the whole si
 constexpr Sentence help{"100 was meant, if 1 stood for the whole",
                         "100 war gemeint, wenn 1 für das Ganze steht"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3019::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3019 {
 namespace {
 
 constexpr double tiny = 1;  // percent
@@ -37,7 +37,7 @@ void tiny_share(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3019{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters =
         "filters[].share_percent filters[].enable filters[].order filters[].type filter_fir.share "
@@ -45,4 +45,4 @@ extern constinit Rule const ax3019{
     .check = tiny_share,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3019

@@ -4,7 +4,7 @@
 #include "validator/rules/sentences.hpp"
 #include "validator/views/fir_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3021::says {
 
 constexpr Sentence headline{"the FIR filter has a type, but no order: it cannot work",
                             "der FIR-Filter hat einen Typ, aber keine Ordnung: er kann nicht wirken"};
@@ -14,9 +14,9 @@ constexpr Sentence limit{
 constexpr Sentence help{"set `filter_fir.order`, or give it in the NC program: `#FILTER ON [ORDER=20]`",
                         "`filter_fir.order` setzen, oder im NC-Programm angeben: `#FILTER ON [ORDER=20]`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3021::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3021 {
 namespace {
 
 void fir_without_order(AxisContext const& axis, Report& report) {
@@ -29,16 +29,16 @@ void fir_without_order(AxisContext const& axis, Report& report) {
       {says::limit,
        {{"order_number", parameter_number(fir.order)}, {"time_number", parameter_number(fir.order_time)}}});
   finding.help.push_back({says::help, {}});
-  react(finding, {says::kernel_reaction_not_active, {}});
+  react(finding, {validator::says::kernel_reaction_not_active, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3021{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .control = "50989",
     .parameters = "filter_fir.order filter_fir.order_time filter_fir.type filter_fir.enable",
     .check = fir_without_order,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3021

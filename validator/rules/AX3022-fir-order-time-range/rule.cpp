@@ -8,7 +8,7 @@
 #include "validator/sentences.hpp"
 #include "validator/views/fir_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3022::says {
 
 constexpr Sentence fir_order_time_range_short{"the order given as time is shorter than one NC cycle",
                                               "die als Zeit angegebene Ordnung ist kürzer als ein NC-Zyklus"};
@@ -20,9 +20,9 @@ constexpr Sentence limit{"{p_axis}: T = {shortest} ≤ order_time ≤ {order} T 
 constexpr Sentence help{"`{parameter}` gives the order in cycles, 1 to {order}",
                         "`{parameter}` gibt die Ordnung in Zyklen an, 1 bis {order}"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3022::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3022 {
 namespace {
 
 // Message numbers of the control.
@@ -48,25 +48,25 @@ void fir_order_time_range(AxisContext const& axis, Report& report) {
   double const time = fir.order_time.value.number;
   double const as_milliseconds = axis.cycle_time.cycles({time * 1000});
   if (short_one && as_milliseconds >= 1 && as_milliseconds <= fir.longest_order()) {
-    finding.help.push_back({says::milliseconds_meant,
+    finding.help.push_back({validator::says::milliseconds_meant,
                             {{"value", number(time)},
                              {"replacement", parameter_name(fir.order_time) + " " + number(time * 1000)}}});
   }
   finding.help.push_back({says::help, {{"parameter", parameter_name(fir.order)}, {"order", order}}});
   if (short_one) {
-    react(finding, order_too_low, {says::kernel_reaction_not_active, {}});
+    react(finding, order_too_low, {validator::says::kernel_reaction_not_active, {}});
   } else {
-    react(finding, order_clipped, {says::filter_reaction_clipped, {}}, order);
+    react(finding, order_clipped, {validator::says::filter_reaction_clipped, {}}, order);
   }
 }
 
 }  // namespace
 
-extern constinit Rule const ax3022{
+extern constinit Rule const rule{
     .control = control_numbers<order_too_low, order_clipped>,
     .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .needs = Needs::cycle_time,
     .check = fir_order_time_range,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3022

@@ -4,7 +4,7 @@
 #include "validator/rules/sentences.hpp"
 #include "validator/views/fir_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3023::says {
 
 constexpr Sentence headline{
     "`filter_fir.order` {order} takes precedence: `filter_fir.order_time` is not used",
@@ -13,9 +13,9 @@ constexpr Sentence label{"{time} have no effect", "{time} haben keine Wirkung"};
 constexpr Sentence order_here{"the order is set here", "hier wird die Ordnung gesetzt"};
 constexpr Sentence help{"remove the line that is not meant", "die nicht gemeinte Zeile entfernen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3023::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3023 {
 namespace {
 
 void fir_order_time_unused(AxisContext const& axis, Report& report) {
@@ -29,17 +29,17 @@ void fir_order_time_unused(AxisContext const& axis, Report& report) {
     finding.related.push_back({*fir.order.value_place(), {says::order_here, {}}});
   }
   finding.help.push_back({says::help, {}});
-  react(finding, {says::filter_value_ignored, {}},
+  react(finding, {validator::says::filter_value_ignored, {}},
         "filter_fir.order " + number(fir.order.value.number).written());
 }
 
 }  // namespace
 
-extern constinit Rule const ax3023{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .precedence = Precedence::after_family,
     .check = fir_order_time_unused,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3023

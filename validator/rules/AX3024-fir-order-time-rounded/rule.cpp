@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3024::says {
 
 constexpr Sentence headline{
     "`filter_fir.order_time` is not a whole number of cycles: the order becomes {order}",
@@ -18,9 +18,9 @@ constexpr Sentence reaction{"the time is rounded to whole cycles", "die Zeit wir
 constexpr Sentence help{"`{parameter} {time}` says the same in whole cycles",
                         "`{parameter} {time}` sagt dasselbe in ganzen Zyklen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3024::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3024 {
 namespace {
 
 void fir_order_time_rounded(AxisContext const& axis, Report& report) {
@@ -44,7 +44,7 @@ void fir_order_time_rounded(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3024{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .needs = Needs::cycle_time,
@@ -52,4 +52,4 @@ extern constinit Rule const ax3024{
     .check = fir_order_time_rounded,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3024

@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/views/fir_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3025::says {
 
 constexpr Sentence headline{
     "a time delay with a share of {share} % mixes in the undelayed signal",
@@ -12,9 +12,9 @@ constexpr Sentence label{"{share} % delayed, {rest} % undelayed",
                          "{share} % verzögert, {rest} % unverzögert"};
 constexpr Sentence help{"100 delays the whole signal", "100 verzögert das ganze Signal"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3025::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3025 {
 namespace {
 
 void fir_delay_share(AxisContext const& axis, Report& report) {
@@ -30,10 +30,10 @@ void fir_delay_share(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3025{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filter_fir.share filter_fir.type",
     .check = fir_delay_share,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3025

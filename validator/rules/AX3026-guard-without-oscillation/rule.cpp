@@ -7,7 +7,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3026::says {
 
 constexpr Sentence headline{
     "with a damping of 1 there is no oscillation that the Vibration Guard could shape",
@@ -19,9 +19,9 @@ constexpr Sentence damping_here{"the damping is set here", "hier wird die Dämpf
 constexpr Sentence measure{"enter the measured damping ratio of the mechanics; the default is 0.1",
                            "das gemessene Dämpfungsmaß der Mechanik eintragen; der Standardwert ist 0,1"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3026::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3026 {
 namespace {
 
 bool is_one(GuardView const& guard) {
@@ -32,7 +32,7 @@ void guard_without_oscillation(AxisContext const& axis, Report& report) {
   if (!axis.guard.is_active() || !is_one(axis.guard)) return;
   Finding& finding = report.add(axis.guard.anchor(axis.guard.damping), {says::headline, {}});
   finding.help.push_back({says::measure, {}});
-  react(finding, {says::guard_stops_motion, {}});
+  react(finding, {validator::says::guard_stops_motion, {}});
 }
 
 void in_command(CommandContext const& context, Report& report) {
@@ -54,12 +54,12 @@ void in_program(ProgramContext const& context, Report& report) {
   set_axis(finding, axes);
   relate_values(finding, axes, "vib_guard.damping", says::damping_here);
   finding.help.push_back(message(says::measure));
-  set_reaction(finding, says::guard_stops_motion);
+  set_reaction(finding, validator::says::guard_stops_motion);
 }
 
 }  // namespace
 
-extern constinit Rule const ax3026{
+extern constinit Rule const rule{
     .control = no_guard,
     .parameters = "vib_guard.active vib_guard.damping",
     .check = guard_without_oscillation,
@@ -67,4 +67,4 @@ extern constinit Rule const ax3026{
     .command_check = in_command,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3026

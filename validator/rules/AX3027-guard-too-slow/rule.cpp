@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3027::says {
 
 constexpr Sentence slow{"the last impulse of the Vibration Guard comes after {cycles} cycles",
                         "der letzte Impuls des Vibration Guard kommt nach {cycles} Zyklen"};
@@ -26,9 +26,9 @@ constexpr Sentence reaction{
     "sie hält womöglich die Bewegung an, weil sie für diese Werte keinen Vibration Guard "
     "findet"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3027::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3027 {
 namespace {
 
 void describe(Finding& finding, design::KernelSpecification const& guard, design::CycleTime cycle_time) {
@@ -74,7 +74,7 @@ void in_program(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3027{
+extern constinit Rule const rule{
     .control = "50820",
     .parameters = "vib_guard.*",
     .needs = Needs::cycle_time,
@@ -82,4 +82,4 @@ extern constinit Rule const ax3027{
     .program_check = in_program,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3027

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3028::says {
 
 constexpr Sentence coarse{
     "at its own frequency the Vibration Guard leaves {residual} % of the vibration",
@@ -28,9 +28,9 @@ constexpr Sentence help{
     "a low-pass or `BANDSTOP` in `filter[i]` suits such frequencies better",
     "ein Tiefpass oder `BANDSTOP` in `filter[i]` eignet sich für solche Frequenzen besser"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3028::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3028 {
 namespace {
 
 void describe(Finding& finding, design::KernelDesign const& kernel, design::KernelSpecification const& guard,
@@ -81,7 +81,7 @@ void in_program(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3028{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "vib_guard.*",
     .needs = Needs::cycle_time,
@@ -89,4 +89,4 @@ extern constinit Rule const ax3028{
     .program_check = in_program,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3028

@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/guards.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3029::says {
 
 constexpr Sentence unused{
     "this list sets the Vibration Guard, but neither the list nor a program of the machine switches it on",
@@ -13,9 +13,9 @@ constexpr Sentence switch_on{
     "`vib_guard.active 1` switches it on, `#VIB GUARD ON` for all axes of the channel",
     "`vib_guard.active 1` schaltet ihn ein, `#VIB GUARD ON` für alle Achsen des Kanals"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3029::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3029 {
 namespace {
 
 void guard_unused(AxisContext const& axis, Report& report) {
@@ -32,10 +32,10 @@ void guard_unused(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3029{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "vib_guard.*",
     .check = guard_unused,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3029

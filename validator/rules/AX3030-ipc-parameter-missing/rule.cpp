@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3030::says {
 
 constexpr Sentence headline{
     "stage {stage} works in mode `{mode}`, but not all its parameters are given",
@@ -29,9 +29,9 @@ constexpr Sentence reaction{"it reports each of them as out of range",
 constexpr Sentence help{"set what is missing, or the mode to `NOT_ACTIVE`",
                         "setzen, was fehlt, oder den Modus auf `NOT_ACTIVE`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3030::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3030 {
 namespace {
 
 // Message numbers of the control.
@@ -115,10 +115,10 @@ void ipc_parameter_missing(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3030{
+extern constinit Rule const rule{
     .control = control_numbers<no_frequency, no_order, no_quality, no_damping>,
     .parameters = "ipc.stage[].* ipc.enable",
     .check = ipc_parameter_missing,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3030

@@ -4,7 +4,7 @@
 #include "validator/rules/position_control_words.hpp"
 #include "validator/views/position_control_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3031::says {
 
 constexpr Sentence headline{"with a damping of {damping} there is no vibration to simulate",
                             "mit einer Dämpfung von {damping} gibt es keine Schwingung zu simulieren"};
@@ -17,9 +17,9 @@ constexpr Sentence help{
     "compute it from the measured decay, or start near 1 and lower it step by step",
     "sie aus dem gemessenen Abklingen berechnen, oder nahe 1 beginnen und schrittweise senken"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3031::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3031 {
 namespace {
 
 void ipc_damping_range(AxisContext const& axis, Report& report) {
@@ -37,10 +37,10 @@ void ipc_damping_range(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3031{
+extern constinit Rule const rule{
     .control = "70599",
     .parameters = "ipc.stage[].filter.damping ipc.stage[].osc_damping ipc.stage[].mode ipc.enable",
     .check = ipc_damping_range,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3031

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3032::says {
 
 constexpr Sentence headline{"the weight {weight} is limited to 7",
                             "das Gewicht {weight} wird auf 7 begrenzt"};
@@ -16,9 +16,9 @@ constexpr Sentence reaction{"it limits the weight", "sie begrenzt das Gewicht"};
 constexpr Sentence help{"`{parameter} {largest}` is the largest here",
                         "`{parameter} {largest}` ist hier der größte Wert"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3032::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3032 {
 namespace {
 
 constexpr double largest_weight = 7;
@@ -51,11 +51,11 @@ void ipc_weight_limited(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3032{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .control = "70605",
     .parameters = "ipc.stage[].weight_fact_num ipc.stage[].weight_fact_denom ipc.stage[].mode ipc.enable",
     .check = ipc_weight_limited,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3032

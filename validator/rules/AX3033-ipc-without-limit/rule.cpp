@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/views/position_control_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3033::says {
 
 constexpr Sentence headline{
     "the additive velocity is limited to 0: Improved Position Control has no effect",
@@ -14,9 +14,9 @@ constexpr Sentence help{"`{parameter} 100` allows a tenth of the maximum velocit
                         "`{parameter} 100` erlaubt ein Zehntel der Höchstgeschwindigkeit der Achse"};
 constexpr Sentence reaction{"it limits without a message", "sie begrenzt ohne Meldung"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3033::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3033 {
 namespace {
 
 void ipc_without_limit(AxisContext const& axis, Report& report) {
@@ -31,10 +31,10 @@ void ipc_without_limit(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3033{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "ipc.v_add_max_fact ipc.enable",
     .check = ipc_without_limit,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3033

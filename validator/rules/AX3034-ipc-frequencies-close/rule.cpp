@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3034::says {
 
 constexpr Sentence headline{
     "{frequency} Hz lies within the bandwidth of {others}: the stages influence each other",
@@ -18,9 +18,9 @@ constexpr Sentence limit{
 constexpr Sentence help{"raise `q_factor`, or use one stage for both frequencies",
                         "`q_factor` erhöhen, oder eine Stufe für beide Frequenzen verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3034::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3034 {
 namespace {
 
 /// The band that a stage damps.
@@ -75,7 +75,7 @@ void ipc_frequencies_close(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3034{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 ipc.stage[].filter.q_factor "
@@ -83,4 +83,4 @@ extern constinit Rule const ax3034{
     .check = ipc_frequencies_close,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3034

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3035::says {
 
 constexpr Sentence headline{
     "Improved Position Control is enabled, but every stage is `NOT_ACTIVE`",
@@ -13,9 +13,9 @@ constexpr Sentence headline{
 constexpr Sentence help{"`{parameter}` chooses `DIRECT`, `INDIRECT` or `SET_POINT`",
                         "`{parameter}` wählt `DIRECT`, `INDIRECT` oder `SET_POINT`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3035::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3035 {
 namespace {
 
 void ipc_no_active_stage(AxisContext const& axis, Report& report) {
@@ -29,10 +29,10 @@ void ipc_no_active_stage(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3035{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "ipc.*",
     .check = ipc_no_active_stage,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3035

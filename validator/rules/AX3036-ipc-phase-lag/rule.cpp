@@ -5,7 +5,7 @@
 #include "validator/rules/position_control_words.hpp"
 #include "validator/views/position_control_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3036::says {
 
 constexpr Sentence headline{"at {frequency} Hz the mode `{mode}` responds too late",
                             "bei {frequency} Hz reagiert der Modus `{mode}` zu spät"};
@@ -23,9 +23,9 @@ constexpr Sentence help_indirect{"`SET_POINT` has half the dead time; `DIRECT` s
 constexpr Sentence help_set_point{"`DIRECT` simulates nothing and has no such dead time",
                                   "`DIRECT` simuliert nichts und hat diese Totzeit nicht"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3036::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3036 {
 namespace {
 
 /// NC cycles between the vibration and the velocity that answers it.
@@ -63,11 +63,11 @@ void ipc_phase_lag(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3036{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 ipc.stage[].mode ipc.enable",
     .needs = Needs::cycle_time,
     .check = ipc_phase_lag,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3036

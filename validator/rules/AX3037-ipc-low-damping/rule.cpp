@@ -4,7 +4,7 @@
 #include "validator/rules/position_control_words.hpp"
 #include "validator/views/position_control_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3037::says {
 
 constexpr Sentence headline{"a damping of {damping} causes large additive velocities",
                             "eine Dämpfung von {damping} ergibt große additive Geschwindigkeiten"};
@@ -14,9 +14,9 @@ constexpr Sentence limit{
     "{p_axis}: below {limit} the drive may start to oscillate; lower the damping in small steps",
     "{p_axis}: unter {limit} kann der Antrieb aufschwingen; die Dämpfung in kleinen Schritten senken"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3037::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3037 {
 namespace {
 
 constexpr double lowest_calm_damping = 0.05;
@@ -34,10 +34,10 @@ void ipc_low_damping(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3037{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "ipc.stage[].filter.damping ipc.stage[].osc_damping ipc.stage[].mode ipc.enable",
     .check = ipc_low_damping,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3037

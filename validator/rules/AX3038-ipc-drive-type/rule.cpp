@@ -5,7 +5,7 @@
 #include "validator/views/drive.hpp"
 #include "validator/views/position_control_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3038::says {
 
 constexpr Sentence headline{"Improved Position Control is not available for the drive type \"{drive}\"",
                             "die optimierte Lageregelung gibt es für den Antriebstyp „{drive}“ nicht"};
@@ -14,9 +14,9 @@ constexpr Sentence limit{"{p_axis}: available for SERCOS (2), PROFIDRIVE (3) and
 constexpr Sentence help{"correct the drive type, or set `{enable}` to 0",
                         "den Antriebstyp berichtigen, oder `{enable}` auf 0 setzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3038::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3038 {
 namespace {
 
 void ipc_drive_type(AxisContext const& axis, Report& report) {
@@ -37,9 +37,9 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3038{
+extern constinit Rule const rule{
     .parameters = "kenngr.antr_typ ipc.enable",
     .check = ipc_drive_type,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3038

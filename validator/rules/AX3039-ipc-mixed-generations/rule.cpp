@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3039::says {
 
 constexpr Sentence headline{"stage {stage} mixes the older and the newer spelling",
                             "Stufe {stage} mischt die ältere und die neuere Schreibweise"};
@@ -17,9 +17,9 @@ constexpr Sentence newer{"newer spelling: `filter[k].…`, `osc_damping`",
 constexpr Sentence help{"keep one of them in each stage; the newer one needs build V3.1.3132.0",
                         "in jeder Stufe eine davon behalten; die neuere braucht den Stand V3.1.3132.0"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3039::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3039 {
 namespace {
 
 void add_configured(SetValues& values, std::initializer_list<EffectiveValue const*> candidates) {
@@ -68,9 +68,9 @@ void ipc_mixed_generations(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3039{
+extern constinit Rule const rule{
     .parameters = "ipc.stage[].filter.* ipc.stage[].filter[].* ipc.stage[].osc_damping",
     .check = ipc_mixed_generations,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3039

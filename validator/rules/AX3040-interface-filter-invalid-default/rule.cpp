@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/sentences.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3040::says {
 
 constexpr Sentence headline{
     "the filter of the additional interface is enabled with its invalid defaults: `PT2` and 0 µs",
@@ -14,9 +14,9 @@ constexpr Sentence limit{"{p_axis}: time_constant ≥ T for `PT1` and `PT2`",
 constexpr Sentence help{"set `{time_constant}`, or choose another `{type}`",
                         "`{time_constant}` setzen, oder einen anderen `{type}` wählen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3040::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3040 {
 namespace {
 
 void interface_filter_invalid_default(FilterContext const& context, Report& report) {
@@ -31,12 +31,12 @@ void interface_filter_invalid_default(FilterContext const& context, Report& repo
   note_default(finding, time);
   finding.help.push_back(
       {says::help, {{"time_constant", parameter_name(time)}, {"type", parameter_name(filter.type)}}});
-  react(finding, {says::filter_reaction_off, {}});
+  react(finding, {validator::says::filter_reaction_off, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3040{
+extern constinit Rule const rule{
     .control = "70451",
     .parameters =
         "lr_param.add_interface.filter[].time_constant lr_param.add_interface.filter[].type "
@@ -44,4 +44,4 @@ extern constinit Rule const ax3040{
     .check = interface_filter_invalid_default,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3040

@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3041::says {
 
 constexpr Sentence headline{"the additional interface is switched off: `{filter}` has no effect",
                             "die Zusatzschnittstelle ist ausgeschaltet: `{filter}` hat keine Wirkung"};
@@ -16,9 +16,9 @@ constexpr Sentence help{"`{interface} 1` switches the interface on (the default)
 constexpr Sentence reaction{"setpoints of the additional interface are not used",
                             "Sollwerte der Zusatzschnittstelle werden nicht verwendet"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3041::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3041 {
 namespace {
 
 void interface_disabled(FilterContext const& context, Report& report) {
@@ -43,7 +43,7 @@ void interface_disabled(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3041{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "lr_param.add_interface.enable lr_param.add_interface.filter[].enable "
@@ -51,4 +51,4 @@ extern constinit Rule const ax3041{
     .check = interface_disabled,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3041

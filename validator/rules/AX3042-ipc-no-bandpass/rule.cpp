@@ -4,16 +4,16 @@
 #include "validator/rules/position_control_words.hpp"
 #include "validator/views/position_control_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3042::says {
 
 constexpr Sentence headline{"stage {stage} has no band-pass", "Stufe {stage} hat keinen Bandpass"};
 constexpr Sentence limit{"{p_axis}: an active stage needs at least one filter of type BANDPASS",
                          "{p_axis}: eine aktive Stufe braucht mindestens einen Filter vom Typ BANDPASS"};
 constexpr Sentence help{"`{parameter} BANDPASS` adds one", "`{parameter} BANDPASS` ergänzt einen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3042::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3042 {
 namespace {
 
 void ipc_no_bandpass(AxisContext const& axis, Report& report) {
@@ -36,9 +36,9 @@ void ipc_no_bandpass(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3042{
+extern constinit Rule const rule{
     .parameters = "ipc.stage[].filter[].type ipc.stage[].mode ipc.enable",
     .check = ipc_no_bandpass,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3042

@@ -5,7 +5,7 @@
 #include "validator/views/drive.hpp"
 #include "validator/views/position_control_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3043::says {
 
 constexpr Sentence headline{
     "Improved Position Control needs a closed position loop, not `{mode}`",
@@ -17,9 +17,9 @@ constexpr Sentence reaction{"it reports that this operation mode does not allow 
 constexpr Sentence help{"choose position control in the CNC or in the drive, or set `{enable}` to 0",
                         "Lageregelung in der CNC oder im Antrieb wählen, oder `{enable}` auf 0 setzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3043::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3043 {
 namespace {
 
 void ipc_operation_mode(AxisContext const& axis, Report& report) {
@@ -35,10 +35,10 @@ void ipc_operation_mode(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3043{
+extern constinit Rule const rule{
     .control = "70602",
     .parameters = "antr.operation_mode ipc.enable",
     .check = ipc_operation_mode,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3043

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3045::says {
 
 constexpr Sentence headline{"the delay must be shorter than 6 NC cycles",
                             "die Verzögerung muss kürzer als 6 NC-Zyklen sein"};
@@ -27,9 +27,9 @@ constexpr Sentence help{"`{parameter} {longest}` is the longest here",
 constexpr Sentence help_older{"less than {cycle} suits every build",
                               "weniger als {cycle} ist in jeder Version erlaubt"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3045::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3045 {
 namespace {
 
 constexpr std::string_view refuses_velocity_time = "70349";
@@ -66,11 +66,11 @@ void feedforward_delay_too_long(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3045{
+extern constinit Rule const rule{
     .control = control_numbers<refuses_acceleration_time, refuses_velocity_time>,
     .parameters = "vorsteuer.velocity_delay_time vorsteuer.acceleration_delay_time vorsteuer.jerk_delay_time",
     .needs = Needs::cycle_time,
     .check = feedforward_delay_too_long,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3045

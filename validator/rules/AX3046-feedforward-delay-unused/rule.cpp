@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3046::says {
 
 constexpr Sentence headline{"`{parameter}` has no effect", "`{parameter}` hat keine Wirkung"};
 constexpr Sentence needs_quantity{"{p_axis}: acts only with {word} in P-AXIS-00223, which is {value} here",
@@ -18,9 +18,9 @@ constexpr Sentence help_quantity{"add {word} to P-AXIS-00223, or remove the line
 constexpr Sentence help_drive{"remove the line, or correct the drive type",
                               "die Zeile entfernen, oder den Antriebstyp berichtigen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3046::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3046 {
 namespace {
 
 void check_quantity(std::string_view name, Feedforward quantity, std::string_view word,
@@ -57,7 +57,7 @@ void feedforward_delay_unused(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3046{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "vorsteuer.velocity_delay_time vorsteuer.acceleration_delay_time vorsteuer.jerk_delay_time "
@@ -65,4 +65,4 @@ extern constinit Rule const ax3046{
     .check = feedforward_delay_unused,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3046

@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/views/feedforward_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3047::says {
 
 constexpr Sentence headline{
     "without the five cycles of delay only velocity can be fed forward",
@@ -15,9 +15,9 @@ constexpr Sentence reaction{"it takes acceleration and jerk out of P-AXIS-00223"
 constexpr Sentence help{"name only VEL or ADD_VEL in P-AXIS-00223, or remove `{parameter}`",
                         "in P-AXIS-00223 nur VEL oder ADD_VEL nennen, oder `{parameter}` entfernen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3047::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3047 {
 namespace {
 
 void feedforward_without_delay(AxisContext const& axis, Report& report) {
@@ -35,10 +35,10 @@ void feedforward_without_delay(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3047{
+extern constinit Rule const rule{
     .control = "110624",
     .parameters = "vorsteuer.feedforward_without_delay vorsteuer.vorsteuerung",
     .check = feedforward_without_delay,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3047

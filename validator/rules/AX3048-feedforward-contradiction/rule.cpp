@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3048::says {
 
 constexpr Sentence disabled{"feedforward is disabled, but P-AXIS-00223 names {value}",
                             "die Vorsteuerung ist gesperrt, aber P-AXIS-00223 nennt {value}"};
@@ -19,9 +19,9 @@ constexpr Sentence help_disabled{"set `{parameter}` to 0, or P-AXIS-00223 to NON
 constexpr Sentence help_empty{"set `{parameter}` to 0, or name VEL in P-AXIS-00223",
                               "`{parameter}` auf 0 setzen, oder VEL in P-AXIS-00223 nennen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3048::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3048 {
 namespace {
 
 constexpr std::string_view disabled_with_quantities = "110343";
@@ -36,21 +36,21 @@ void feedforward_contradiction(AxisContext const& axis, Report& report) {
   if (disabled.is_on() && quantities.value.flag()) {
     Finding& finding = report.add(disabled, {says::disabled, {{"value", symbol_word(quantities)}}});
     finding.help.push_back({says::help_disabled, {{"parameter", parameter_name(disabled)}}});
-    react(finding, disabled_with_quantities, {says::undocumented_reaction});
+    react(finding, disabled_with_quantities, {validator::says::undocumented_reaction});
   }
   if (active.is_on() && feedforward.is_none()) {
     Finding& finding = report.add(active, {says::empty, {}});
     finding.help.push_back({says::help_empty, {{"parameter", parameter_name(active)}}});
-    react(finding, active_without_quantities, {says::undocumented_reaction});
+    react(finding, active_without_quantities, {validator::says::undocumented_reaction});
   }
 }
 
 }  // namespace
 
-extern constinit Rule const ax3048{
+extern constinit Rule const rule{
     .control = control_numbers<disabled_with_quantities, active_without_quantities>,
     .parameters = "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.global_disable",
     .check = feedforward_contradiction,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3048

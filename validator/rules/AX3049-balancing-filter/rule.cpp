@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3049::says {
 
 constexpr Sentence wrong_drive{
     "the filter that balances feedforward is for PROFIDRIVE; the drive is \"{drive}\"",
@@ -23,9 +23,9 @@ constexpr Sentence help_off{"`{parameter} 0` switches the filter off",
 constexpr Sentence help_longer{"write at least {cycle}, or 0, which switches the filter off",
                                "mindestens {cycle} schreiben, oder 0, was den Filter abschaltet"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3049::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3049 {
 namespace {
 
 constexpr std::string_view wrong_drive_number = "110486";
@@ -38,7 +38,7 @@ void balancing_filter(AxisContext const& axis, Report& report) {
   if (drive != nullptr && drive->number != machine::profidrive) {
     Finding& finding = report.add(time, {says::wrong_drive, {{"drive", drive_name(*drive)}}});
     finding.help.push_back({says::help_off, {{"parameter", parameter_name(time)}}});
-    react(finding, wrong_drive_number, {says::undocumented_reaction});
+    react(finding, wrong_drive_number, {validator::says::undocumented_reaction});
     return;
   }
   if (axis.cycle_time.cycles({time.value.number}) >= 1) return;
@@ -48,16 +48,16 @@ void balancing_filter(AxisContext const& axis, Report& report) {
   finding.notes.push_back({says::limit_unknown, {}});
   finding.help.push_back(
       {says::help_longer, {{"cycle", microseconds(std::ceil(axis.cycle_time.microseconds()))}}});
-  react(finding, too_short_number, {says::undocumented_reaction});
+  react(finding, too_short_number, {validator::says::undocumented_reaction});
 }
 
 }  // namespace
 
-extern constinit Rule const ax3049{
+extern constinit Rule const rule{
     .control = control_numbers<too_short_number, wrong_drive_number>,
     .parameters = "vorsteuer.timeconst_sym_filter kenngr.antr_typ",
     .needs = Needs::cycle_time,
     .check = balancing_filter,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3049

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3050::says {
 
 constexpr Sentence headline{"a time delay of the position alone has no effect here",
                             "eine Zeitverzögerung der Position allein hat hier keine Wirkung"};
@@ -19,9 +19,9 @@ constexpr Sentence help_feedforward{
     "remove the line, or name in P-AXIS-00223 what is fed forward",
     "die Zeile entfernen, oder in P-AXIS-00223 nennen, was vorgesteuert wird"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3050::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3050 {
 namespace {
 
 bool may_be_active_delay(FilterView const& filter) {
@@ -43,7 +43,7 @@ void delay_only_position_without_delay(AxisContext const& axis, Report& report) 
 
 }  // namespace
 
-extern constinit Rule const ax3050{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "kenngr.delay_filter_only_position vorsteuer.vorsteuerung filters[].type filters[].enable "
@@ -51,4 +51,4 @@ extern constinit Rule const ax3050{
     .check = delay_only_position_without_delay,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3050

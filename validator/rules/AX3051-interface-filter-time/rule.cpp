@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax3051::says {
 
 constexpr Sentence twice{"the additional interface has two filters: `{time}` and `{filter}`",
                          "die Zusatzschnittstelle hat zwei Filter: `{time}` und `{filter}`"};
@@ -24,9 +24,9 @@ constexpr Sentence limit_unknown{
 constexpr Sentence switch_off{"`{time} {shortest}` is the shortest, `{time} 0` switches the filter off",
                               "`{time} {shortest}` ist die kürzeste, `{time} 0` schaltet den Filter aus"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax3051::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax3051 {
 namespace {
 
 void interface_filter_time_fits(AxisContext const& axis, Report& report) {
@@ -57,7 +57,7 @@ void interface_filter_time_fits(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax3051{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "kenngr.in_add_interface_filter_time lr_param.add_interface.enable "
@@ -66,4 +66,4 @@ extern constinit Rule const ax3051{
     .check = interface_filter_time_fits,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax3051

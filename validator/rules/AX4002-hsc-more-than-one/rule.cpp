@@ -8,16 +8,16 @@
 #include <algorithm>
 #include <tuple>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4002::says {
 
 constexpr Sentence headline{"{count} HSC filters in one axis; only one is possible",
                             "{count} HSC-Filter in einer Achse; nur einer ist möglich"};
 constexpr Sentence label{"one too many", "einer zu viel"};
 constexpr Sentence help{"keep one of them, as `filter[0]`", "einen davon behalten, als `filter[0]`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4002::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4002 {
 namespace {
 
 /// The prototype that makes it an HSC filter is always set by a list.
@@ -38,15 +38,15 @@ void hsc_more_than_one(FilterContext const& context, Report& report) {
     if (filter.index != last->index) relate_hsc_filter(finding, filter);
   }
   finding.help.push_back({says::help, {}});
-  react(finding, {says::filter_reaction_off, {}});
+  react(finding, {validator::says::filter_reaction_off, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax4002{
+extern constinit Rule const rule{
     .control = "110500",
     .parameters = "filter[].prototype filter[].type filter[].order",
     .check = hsc_more_than_one,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4002

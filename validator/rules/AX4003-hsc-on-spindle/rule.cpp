@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/views/hsc_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4003::says {
 
 constexpr Sentence headline{"the HSC filter `{filter}` is configured for a spindle",
                             "der HSC-Filter `{filter}` ist für eine Spindel konfiguriert"};
@@ -11,9 +11,9 @@ constexpr Sentence limit{"spindles have standard filters only", "für Spindeln g
 constexpr Sentence help{"use a standard filter, or a FIR filter (`filter_fir`)",
                         "einen Standardfilter oder einen FIR-Filter (`filter_fir`) verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4003::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4003 {
 namespace {
 
 void hsc_on_spindle(FilterContext const& context, Report& report) {
@@ -26,9 +26,9 @@ void hsc_on_spindle(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4003{
+extern constinit Rule const rule{
     .parameters = "filter[].prototype filter[].type kenngr.achs_typ",
     .check = hsc_on_spindle,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4003

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4004::says {
 
 constexpr Sentence headline{"the time delay `{filter}` comes before the active filter `{next}`",
                             "die Zeitverzögerung `{filter}` liegt vor dem aktiven Filter `{next}`"};
@@ -16,9 +16,9 @@ constexpr Sentence next_here{"`{filter}` is active after it", "`{filter}` ist da
 constexpr Sentence help{"make it the last one: the order of the filters does not change the result",
                         "sie zum letzten Filter machen: die Reihenfolge ändert das Ergebnis nicht"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4004::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4004 {
 namespace {
 
 void delay_not_last(FilterContext const& context, Report& report) {
@@ -46,10 +46,10 @@ void delay_not_last(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4004{
+extern constinit Rule const rule{
     .control = "110583",
     .parameters = "filters[].type filters[].enable filters[].order kenngr.delay_filter_only_position",
     .check = delay_not_last,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4004

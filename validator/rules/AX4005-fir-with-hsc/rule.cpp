@@ -7,7 +7,7 @@
 #include "validator/views/fir_view.hpp"
 #include "validator/views/hsc_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4005::says {
 
 constexpr Sentence headline{"an axis cannot have both a FIR filter and an HSC filter",
                             "eine Achse kann nicht zugleich einen FIR-Filter und einen HSC-Filter haben"};
@@ -23,9 +23,9 @@ constexpr Sentence help{"FIR filters replace HSC filters from build V3.1.3075.02
 constexpr Sentence help_command{"remove `#VIB GUARD`, or the HSC filters of these axes",
                                 "`#VIB GUARD` oder die HSC-Filter dieser Achsen entfernen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4005::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4005 {
 namespace {
 
 bool guards(EffectiveValue const& active) {
@@ -58,11 +58,11 @@ void guard_with_hsc(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4005{
+extern constinit Rule const rule{
     .control = "110628",
     .parameters = "filter_fir.type vib_guard.active filter[].prototype filter[].type",
     .check = fir_with_hsc,
     .program_check = guard_with_hsc,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4005

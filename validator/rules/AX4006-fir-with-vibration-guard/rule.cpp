@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/views/fir_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4006::says {
 
 constexpr Sentence headline{"an axis cannot have both a FIR filter and the Vibration Guard",
                             "eine Achse kann nicht zugleich einen FIR-Filter und den Vibration Guard haben"};
@@ -12,9 +12,9 @@ constexpr Sentence guard_here{"the Vibration Guard is switched on here",
 constexpr Sentence reaction{"the Vibration Guard is not active", "der Vibration Guard ist nicht aktiv"};
 constexpr Sentence help{"set `{type}` or `{guard}` to 0", "`{type}` oder `{guard}` auf 0 setzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4006::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4006 {
 namespace {
 
 bool guards(EffectiveValue const& active) {
@@ -36,10 +36,10 @@ void fir_with_vibration_guard(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4006{
+extern constinit Rule const rule{
     .control = "110630",
     .parameters = "filter_fir.type vib_guard.active",
     .check = fir_with_vibration_guard,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4006

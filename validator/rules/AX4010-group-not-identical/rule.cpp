@@ -6,16 +6,16 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4010::says {
 
 constexpr Sentence headline{
     "the axes of the channel have different linear-phase filters, although their delays agree",
     "die Achsen des Kanals haben verschiedene linearphasige Filter, obwohl ihre Verzögerungen "
     "übereinstimmen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4010::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4010 {
 namespace {
 
 bool same_kernel(std::optional<machine::ConfiguredKernel> const& left,
@@ -37,16 +37,16 @@ void group_not_identical(GroupContext const& context, Report& report) {
   Finding& finding = report.add(*delays[*last].delay.cause, {says::headline, {}});
   finding.label = delay_of(delays[*last]);
   relate_others(finding, delays, *last);
-  finding.help.push_back({says::group_help_same, {}});
+  finding.help.push_back({validator::says::group_help_same, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax4010{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "filter[].* filter_fir.* vib_guard.*",
     .needs = Needs::cycle_time,
     .check = group_not_identical,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4010

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4011::says {
 
 constexpr Sentence headline{
     "the axes of the channel are out of step: their filter delays differ by {cycles} cycles ({milliseconds} "
@@ -32,9 +32,9 @@ constexpr Sentence help_delay{
     "ohne ihn"};
 constexpr Sentence fix{"add time delays: {axes}", "Zeitverzögerungen ergänzen: {axes}"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4011::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4011 {
 namespace {
 
 /// Writes the time delay into the list of an axis that has no linear-phase filter.
@@ -177,16 +177,16 @@ void group_delay_mismatch(GroupContext const& context, Report& report) {
   finding.notes.push_back({says::limit, {}});
   if (!odd) relate_others(finding, delays, reported);
   finding.fix = repair(context, delays);
-  finding.help.push_back({finding.fix ? says::help_delay : says::group_help_same, {}});
+  finding.help.push_back({finding.fix ? says::help_delay : validator::says::group_help_same, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax4011{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filter[].* filter_fir.* vib_guard.*",
     .needs = Needs::cycle_time,
     .check = group_delay_mismatch,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4011

@@ -4,7 +4,7 @@
 #include "validator/views/gantry.hpp"
 #include "validator/views/position_control_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4012::says {
 
 constexpr Sentence headline{
     "Improved Position Control is enabled in the gantry slave \"{axis}\"",
@@ -15,9 +15,9 @@ constexpr Sentence help{
     "enable it only in the master; the slave gets the master's additive velocity",
     "nur in der Masterachse einschalten; die Slaveachse erhält deren additive Geschwindigkeit"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4012::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4012 {
 namespace {
 
 void gantry_slave_ipc(AxisContext const& axis, Report& report) {
@@ -37,10 +37,10 @@ void gantry_slave_ipc(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4012{
+extern constinit Rule const rule{
     .control = "70600",
     .parameters = "ipc.enable kenngr.achs_mode kenngr.gantry_ax_nr",
     .check = gantry_slave_ipc,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4012

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4013::says {
 
 constexpr Sentence headline{
     R"(the velocity scaling of the slave "{slave}" differs from that of its master "{master}")",
@@ -21,9 +21,9 @@ constexpr Sentence help{
     "use the same scaling in both lists, unless the drives differ",
     "in beiden Listen dieselbe Skalierung verwenden, außer die Antriebe sind verschieden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4013::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4013 {
 namespace {
 
 struct Scaling {
@@ -91,7 +91,7 @@ void gantry_scaling_differs(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4013{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "antr.v_reso_num antr.v_reso_denom antr.v_time_base ipc.enable kenngr.achs_mode "
@@ -99,4 +99,4 @@ extern constinit Rule const ax4013{
     .check = gantry_scaling_differs,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4013

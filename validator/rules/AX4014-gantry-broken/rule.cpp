@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4014::says {
 
 constexpr Sentence no_master{"the gantry slave \"{axis}\" does not name a master",
                              "die Gantry-Slaveachse „{axis}“ nennt keine Masterachse"};
@@ -52,9 +52,9 @@ constexpr Sentence help_bit{"add 0x10000 to `{parameter}` of the master",
 constexpr Sentence help_agree{"make the machine file agree with the lists, or correct the list",
                               "die Maschinendatei den Listen anpassen, oder die Liste berichtigen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4014::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4014 {
 namespace {
 
 // Message numbers of the control.
@@ -183,10 +183,10 @@ void gantry_broken(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4014{
+extern constinit Rule const rule{
     .control = control_numbers<no_master_number, no_master>,
     .parameters = "kenngr.gantry_ax_nr kenngr.achs_mode kopf.achs_nr",
     .check = gantry_broken,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4014

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4015::says {
 
 constexpr Sentence zero{"an axis needs a number above 0", "eine Achse braucht eine Nummer über 0"};
 constexpr Sentence default_list{"the default list must have axis number 0 or none, not {number}",
@@ -22,9 +22,9 @@ constexpr Sentence help_default{"remove the line, or write 0", "die Zeile entfer
 constexpr Sentence help_own{"give every axis a number of its own, above 0",
                             "jeder Achse eine eigene Nummer über 0 geben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4015::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4015 {
 namespace {
 
 // Message numbers of the control.
@@ -120,10 +120,10 @@ void axis_number(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4015{
+extern constinit Rule const rule{
     .control = control_numbers<number_zero, number_in_default_list, number_twice>,
     .parameters = "kopf.achs_nr",
     .check = axis_number,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4015

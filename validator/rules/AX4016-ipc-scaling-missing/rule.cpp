@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4016::says {
 
 constexpr Sentence headline{
     "the additive velocity is sent to the drive, but its scaling has its default values",
@@ -30,9 +30,9 @@ constexpr Sentence help{
     "`antr.v_reso_num`, `antr.v_reso_denom` und `antr.v_time_base` so setzen, wie der Antrieb konfiguriert "
     "ist"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4016::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4016 {
 namespace {
 
 void ipc_scaling_missing(AxisContext const& axis, Report& report) {
@@ -62,7 +62,7 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4016{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .control = "70607",
     .parameters =
@@ -70,4 +70,4 @@ extern constinit Rule const ax4016{
     .check = ipc_scaling_missing,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4016

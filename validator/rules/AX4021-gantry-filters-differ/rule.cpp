@@ -4,7 +4,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/unequal_filters.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4021::says {
 
 constexpr Sentence headline{
     R"(gantry "{master}"/"{slave}": the filters of master and slave are {cycles} cycles ({milliseconds} ms) apart)",
@@ -28,9 +28,9 @@ constexpr Sentence help{"configure the same filters in master and slave",
 constexpr Sentence help_feedforward{"use the same feedforward in master and slave",
                                     "in Master- und Slaveachse dieselbe Vorsteuerung verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4021::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4021 {
 namespace {
 
 void add_skew(Finding& finding, LoadedAxis const& master, double seconds) {
@@ -69,7 +69,7 @@ void gantry_filters_differ(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4021{
+extern constinit Rule const rule{
     .parameters =
         "filter[].* filter_fir.* vib_guard.* kenngr.achs_mode kenngr.gantry_ax_nr vorsteuer.vorsteuerung "
         "vorsteuer.default_active vorsteuer.global_disable vorsteuer.feedforward_without_delay "
@@ -78,4 +78,4 @@ extern constinit Rule const ax4021{
     .check = gantry_filters_differ,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4021

@@ -4,7 +4,7 @@
 #include "validator/rules/unequal_filters.hpp"
 #include "validator/views/gantry.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4022::says {
 
 constexpr Sentence headline{
     R"(coupled axes "{master}" and "{slave}": their filters are {cycles} cycles ({milliseconds} ms) apart)",
@@ -25,9 +25,9 @@ constexpr Sentence help{"configure the same filters in both axes",
 constexpr Sentence help_feedforward{"use the same feedforward in both axes",
                                     "in beiden Achsen dieselbe Vorsteuerung verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4022::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4022 {
 namespace {
 
 void check_pair(configuration::CoupledPair const& pair, MachineContext const& context, Report& report) {
@@ -59,7 +59,7 @@ void coupled_filters_differ(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4022{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "filter[].* filter_fir.* vib_guard.* kopf.achs_nr vorsteuer.vorsteuerung vorsteuer.default_active "
@@ -69,4 +69,4 @@ extern constinit Rule const ax4022{
     .check = coupled_filters_differ,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4022

@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4023::says {
 
 constexpr Sentence headline{
     R"(gantry "{master}"/"{slave}": `{parameter}` is {slave_value} in the slave, {master_value} in the master)",
@@ -16,9 +16,9 @@ constexpr Sentence master_here{"the value of the master", "der Wert der Masterac
 constexpr Sentence help{"give master and slave the same limits",
                         "Master- und Slaveachse dieselben Grenzen geben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4023::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4023 {
 namespace {
 
 void check_limit(LoadedAxis const& master, LoadedAxis const& slave, std::string_view name, Report& report) {
@@ -54,10 +54,10 @@ void gantry_limits_differ(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4023{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "getriebe[].dynamik.a_max getriebe[].dynamik.vb_max kenngr.achs_mode kenngr.gantry_ax_nr",
     .check = gantry_limits_differ,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4023

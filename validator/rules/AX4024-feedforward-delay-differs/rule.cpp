@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4024::says {
 
 constexpr Sentence headline{
     "the axes of the channel are out of step by {cycles} cycles ({milliseconds}): feedforward differs",
@@ -21,9 +21,9 @@ constexpr Sentence reading{"that the 5 cycles count for each axis is a reading, 
 constexpr Sentence help{"use the same feedforward in all axes of the channel",
                         "in allen Achsen des Kanals dieselbe Vorsteuerung verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4024::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4024 {
 namespace {
 
 void feedforward_delay_differs(GroupContext const& context, Report& report) {
@@ -60,7 +60,7 @@ void feedforward_delay_differs(GroupContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4024{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.global_disable "
@@ -70,4 +70,4 @@ extern constinit Rule const ax4024{
     .check = feedforward_delay_differs,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4024

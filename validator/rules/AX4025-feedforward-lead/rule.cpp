@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax4025::says {
 
 constexpr Sentence early{
     "the velocity that is fed forward leads its position by {cycles} cycles ({milliseconds})",
@@ -27,9 +27,9 @@ constexpr Sentence help{
     "mit den Verzögerungen des Antriebs vergleichen; `vorsteuer.shift_time` und "
     "`vorsteuer.velocity_delay_time` stellen den Vorlauf ein"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax4025::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax4025 {
 namespace {
 
 void feedforward_lead(AxisContext const& context, Report& report) {
@@ -59,7 +59,7 @@ void feedforward_lead(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax4025{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters =
         "vorsteuer.vorsteuerung vorsteuer.default_active vorsteuer.global_disable "
@@ -70,4 +70,4 @@ extern constinit Rule const ax4025{
     .check = feedforward_lead,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax4025

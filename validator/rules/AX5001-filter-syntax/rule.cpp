@@ -2,7 +2,7 @@
 
 #include "validator/rules/command_mistakes.hpp"
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5001 {
 namespace {
 
 void filter_syntax(CommandContext const& context, Report& report) {
@@ -11,8 +11,8 @@ void filter_syntax(CommandContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5001{
+extern constinit Rule const rule{
     .check = filter_syntax,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5001

@@ -4,7 +4,7 @@
 #include "validator/rules/command_mistakes.hpp"
 #include "validator/rules/control_numbers.hpp"
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5002 {
 namespace {
 
 void filter_keyword(CommandContext const& context, Report& report) {
@@ -13,10 +13,10 @@ void filter_keyword(CommandContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5002{
+extern constinit Rule const rule{
     .control =
         control_numbers<keyword_repeated, mode_refused, damping_refused, share_refused, quality_refused>,
     .check = filter_keyword,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5002

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5003::says {
 
 constexpr Sentence headline{"#FILTER and #VIB GUARD must not be used in the same NC program",
                             "#FILTER und #VIB GUARD dürfen nicht im selben NC-Programm vorkommen"};
@@ -16,9 +16,9 @@ constexpr Sentence help{
     "beide glätten die Sollwerte: FIR-Filter breitbandig, der Vibration Guard bei einer Frequenz; nur eines "
     "von beiden verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5003::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5003 {
 namespace {
 
 void filter_and_vibration_guard(ProgramContext const& context, Report& report) {
@@ -34,14 +34,14 @@ void filter_and_vibration_guard(ProgramContext const& context, Report& report) {
   });
   Finding& finding = report_at_last(context, report, spans, message(says::headline));
   finding.help.push_back(message(says::help));
-  set_reaction(finding, says::program_reaction_aborted);
+  set_reaction(finding, validator::says::program_reaction_aborted);
 }
 
 }  // namespace
 
-extern constinit Rule const ax5003{
+extern constinit Rule const rule{
     .control = "22060",
     .check = filter_and_vibration_guard,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5003

@@ -3,7 +3,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5004::says {
 
 constexpr Sentence headline{
     "#FILTER must not be used while an axis list activates the Vibration Guard: {axes}",
@@ -14,9 +14,9 @@ constexpr Sentence help{
     "set `vib_guard.active 0`, or enable the FIR filters in the lists and remove #FILTER",
     "`vib_guard.active 0` setzen, oder die FIR-Filter in den Listen einschalten und auf #FILTER verzichten"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5004::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5004 {
 namespace {
 
 void filter_with_guard_in_list(ProgramContext const& context, Report& report) {
@@ -37,10 +37,10 @@ void filter_with_guard_in_list(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5004{
+extern constinit Rule const rule{
     .control = "50987",
     .parameters = "vib_guard.active",
     .program_check = filter_with_guard_in_list,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5004

@@ -5,7 +5,7 @@
 #include "validator/rules/sentences.hpp"
 #include "validator/views/fir_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5005::says {
 
 constexpr Sentence headline{
     "#VIB GUARD must not be used while an axis list sets a FIR type: {axes}",
@@ -16,9 +16,9 @@ constexpr Sentence help{
     "`filter_fir.type 0` setzen, oder den Vibration Guard in den Listen der Achsen ohne FIR-Filter "
     "aktivieren"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5005::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5005 {
 namespace {
 
 void guard_with_fir_in_list(ProgramContext const& context, Report& report) {
@@ -31,18 +31,18 @@ void guard_with_fir_in_list(ProgramContext const& context, Report& report) {
   Finding& finding =
       report_at_last(context, report, spans, message(says::headline, {{"axes", names_of(axes)}}));
   set_axis(finding, axes);
-  relate_values(finding, axes, "filter_fir.type", says::fir_type_here);
+  relate_values(finding, axes, "filter_fir.type", validator::says::fir_type_here);
   finding.help.push_back(message(says::help));
   set_reaction(finding, says::reaction);
 }
 
 }  // namespace
 
-extern constinit Rule const ax5005{
+extern constinit Rule const rule{
     .control = "50988",
     .parameters = "filter_fir.type",
     .silenced_by = codes<5003>,
     .program_check = guard_with_fir_in_list,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5005

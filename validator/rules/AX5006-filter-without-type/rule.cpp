@@ -4,7 +4,7 @@
 #include "validator/rules/program_helpers.hpp"
 #include "validator/views/fir_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5006::says {
 
 constexpr Sentence headline{"#FILTER ON has no effect on axes without a FIR type: {axes}",
                             "#FILTER ON wirkt nicht auf Achsen ohne FIR-Typ: {axes}"};
@@ -17,9 +17,9 @@ constexpr Sentence help{
     "`filter_fir.type` in ihren Listen setzen: 1 gleitender Mittelwert, 2 Gauß, 3 Windowed Sinc, 4 "
     "Zeitverzögerung"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5006::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5006 {
 namespace {
 
 void filter_without_type(ProgramContext const& context, Report& report) {
@@ -40,11 +40,11 @@ void filter_without_type(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5006{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .control = "51043/51044",
     .parameters = "filter_fir.type",
     .check = filter_without_type,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5006

@@ -6,7 +6,7 @@
 #include "validator/sentences.hpp"
 #include "validator/views/fir_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5007::says {
 
 constexpr Sentence headline{"#FILTER ON has no effect on axes without an order: {axes}",
                             "#FILTER ON wirkt nicht auf Achsen ohne Ordnung: {axes}"};
@@ -14,9 +14,9 @@ constexpr Sentence help{
     "give an order: `#FILTER ON [ORDER=..]`, or `filter_fir.order` in the lists",
     "eine Ordnung angeben: `#FILTER ON [ORDER=..]`, oder `filter_fir.order` in den Listen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5007::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5007 {
 namespace {
 
 bool has_type_but_no_order(EffectiveValues const& values) {
@@ -34,17 +34,17 @@ void filter_without_order(ProgramContext const& context, Report& report) {
   Finding& finding =
       report_at_last(context, report, spans, message(says::headline, {{"axes", names_of(axes)}}));
   set_axis(finding, axes);
-  relate_values(finding, axes, "filter_fir.type", says::fir_type_here);
+  relate_values(finding, axes, "filter_fir.type", validator::says::fir_type_here);
   finding.help.push_back(message(says::help));
-  set_reaction(finding, says::filter_reaction_inactive);
+  set_reaction(finding, validator::says::filter_reaction_inactive);
 }
 
 }  // namespace
 
-extern constinit Rule const ax5007{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "filter_fir.order filter_fir.order_time filter_fir.type",
     .check = filter_without_order,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5007

@@ -4,7 +4,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5008::says {
 
 constexpr Sentence headline{
     "`ACC_FACT` needs a valid P-AXIS-00013 (`getriebe[0].dynamik.a_trans_weight`) in every axis: {axes}",
@@ -17,9 +17,9 @@ constexpr Sentence value_here{"axis {axis} has {value} here", "die Achse {axis} 
 constexpr Sentence help{"set it to 1 to 1000 in these axes, or remove `ACC_FACT`",
                         "es in diesen Achsen auf 1 bis 1000 setzen, oder `ACC_FACT` entfernen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5008::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5008 {
 namespace {
 
 /// P-AXIS-00013 of the first gear.
@@ -61,10 +61,10 @@ void acc_fact_needs_weight(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5008{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "getriebe[].dynamik.a_trans_weight",
     .check = acc_fact_needs_weight,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5008

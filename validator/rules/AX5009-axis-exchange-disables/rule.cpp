@@ -3,7 +3,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5009::says {
 
 constexpr Sentence headline{"`{command}` switches off the FIR filters that #FILTER ON switched on",
                             "`{command}` schaltet die FIR-Filter ab, die #FILTER ON eingeschaltet hat"};
@@ -13,9 +13,9 @@ constexpr Sentence help{
     "write `#FILTER ON` again after it; filters that the lists enable stay on",
     "danach noch einmal `#FILTER ON` schreiben; Filter, die die Listen einschalten, bleiben an"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5009::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5009 {
 namespace {
 
 void axis_exchange_disables(ProgramContext const& context, Report& report) {
@@ -43,9 +43,9 @@ void axis_exchange_disables(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5009{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .check = axis_exchange_disables,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5009

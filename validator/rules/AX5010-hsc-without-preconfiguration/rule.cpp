@@ -5,7 +5,7 @@
 #include "validator/sentences.hpp"
 #include "validator/views/hsc_view.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5010::says {
 
 constexpr Sentence headline{"#FILTER ON [HSC] has no HSC filter to switch on",
                             "#FILTER ON [HSC] findet keinen HSC-Filter zum Einschalten"};
@@ -13,9 +13,9 @@ constexpr Sentence help{
     "preconfigure `filter[0].prototype HSC` in all axes of the channel, with the same values",
     "`filter[0].prototype HSC` in allen Achsen des Kanals gleich vorkonfigurieren"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5010::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5010 {
 namespace {
 
 void hsc_without_preconfiguration(ProgramContext const& context, Report& report) {
@@ -33,14 +33,14 @@ void hsc_without_preconfiguration(ProgramContext const& context, Report& report)
   if (spans.empty()) return;
   Finding& finding = report_at_last(context, report, spans, message(says::headline));
   finding.help.push_back(message(says::help));
-  set_reaction(finding, says::filter_reaction_inactive);
+  set_reaction(finding, validator::says::filter_reaction_inactive);
 }
 
 }  // namespace
 
-extern constinit Rule const ax5010{
+extern constinit Rule const rule{
     .parameters = "filter[].prototype filter[].type filter[].order",
     .check = hsc_without_preconfiguration,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5010

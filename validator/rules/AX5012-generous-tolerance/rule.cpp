@@ -4,7 +4,7 @@
 #include "grammar/number.hpp"
 #include "validator/rules/helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5012::says {
 
 constexpr Sentence headline{"AX_DEV allows each axis an error of {millimetres} mm",
                             "AX_DEV erlaubt jeder Achse einen Fehler von {millimetres} mm"};
@@ -12,9 +12,9 @@ constexpr Sentence note{
     "AX_DEV is in mm, or in inch where the machine file says so; tolerances are some µm: `AX_DEV=0.01`",
     "AX_DEV ist in mm, oder in Zoll, wo die Maschinendatei es sagt; üblich sind einige µm: `AX_DEV=0.01`"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5012::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5012 {
 namespace {
 
 constexpr double generous_mm = 1;
@@ -37,9 +37,9 @@ void generous_tolerance(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5012{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .check = generous_tolerance,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5012

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5013::says {
 
 constexpr Sentence in_all{
     "`#VIB GUARD ON` switches the Vibration Guard on in all axes; the lists activate it for {axes} only",
@@ -17,9 +17,9 @@ constexpr Sentence reaction{"it says that the guard now acts in all axes",
 constexpr Sentence help{"if only these axes are meant, leave `#VIB GUARD ON` out",
                         "sind nur diese Achsen gemeint, `#VIB GUARD ON` weglassen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5013::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5013 {
 namespace {
 
 void guard_in_all_axes(ProgramContext const& context, Report& report) {
@@ -41,11 +41,11 @@ void guard_in_all_axes(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5013{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .control = "51045",
     .parameters = "vib_guard.active",
     .check = guard_in_all_axes,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5013

@@ -5,16 +5,16 @@
 
 #include <string>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax5014::says {
 
 constexpr Sentence dropped{"this command ends the tolerance monitoring: it does not name AX_DEV",
                            "dieser Befehl beendet die Toleranzüberwachung: er nennt AX_DEV nicht"};
 constexpr Sentence begun{"AX_DEV was set here", "hier wurde AX_DEV gesetzt"};
 constexpr Sentence name_it{"`AX_DEV={value}` keeps it", "mit `AX_DEV={value}` bleibt sie"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax5014::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax5014 {
 namespace {
 
 void guard_drops_tolerance(ProgramContext const& context, Report& report) {
@@ -43,9 +43,9 @@ void guard_drops_tolerance(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax5014{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = guard_drops_tolerance,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax5014

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax6001::says {
 
 constexpr Sentence headline{"the stability reserve of `{filter}` is too small: {reserve}",
                             "die Stabilitätsreserve von `{filter}` ist zu klein: {reserve}"};
@@ -29,9 +29,9 @@ constexpr Sentence time_here{"the time constant is set here", "hier wird die Zei
 constexpr Sentence help_frequency{"raise `{parameter}`", "`{parameter}` erhöhen"};
 constexpr Sentence help_time{"shorten `{parameter}`", "`{parameter}` verkürzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax6001::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax6001 {
 namespace {
 
 /// The numbers that an image stores decide. Only close to the limits do those of the quick design differ.
@@ -76,12 +76,12 @@ void stability_reserve(FilterContext const& context, Report& report) {
   if (too_fast) help = design::uses_quality(*filter.standard_type) ? says::help_quality : says::help_lower;
   finding.help.push_back(
       {help, {{"parameter", parameter_name(cause)}, {"quality", parameter_name(filter.quality)}}});
-  react(finding, {says::filter_reaction_refused, {}});
+  react(finding, {validator::says::filter_reaction_refused, {}});
 }
 
 }  // namespace
 
-extern constinit Rule const ax6001{
+extern constinit Rule const rule{
     .control = "50564",
     .parameters =
         "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "
@@ -90,4 +90,4 @@ extern constinit Rule const ax6001{
     .check = stability_reserve,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax6001

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax6003::says {
 
 constexpr Sentence headline{"the filters of this axis need more than 10 s to settle",
                             "die Filter dieser Achse brauchen mehr als 10 s, um einzuschwingen"};
@@ -26,9 +26,9 @@ constexpr Sentence help_frequency{"raise `{parameter}`, or lower the order",
                                   "`{parameter}` erhöhen, oder die Ordnung senken"};
 constexpr Sentence help_time{"shorten `{parameter}`", "`{parameter}` verkürzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax6003::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax6003 {
 namespace {
 
 constexpr double longest_seconds = 10;
@@ -84,7 +84,7 @@ void long_settling(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax6003{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "
@@ -93,4 +93,4 @@ extern constinit Rule const ax6003{
     .check = long_settling,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax6003

@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/step_overshoot.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax6004::says {
 
 constexpr Sentence headline{"the band-stop `{filter}` overshoots by {overshoot} %",
                             "die Bandsperre `{filter}` schwingt um {overshoot} % über"};
@@ -13,9 +13,9 @@ constexpr Sentence monitoring{
 constexpr Sentence help{"reduce the dynamics of the axis, or allow slightly more with {p_axis}",
                         "die Achsdynamik verringern, oder mit {p_axis} geringfügig mehr zulassen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax6004::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax6004 {
 namespace {
 
 constexpr double noticeable = 0.01;
@@ -42,7 +42,7 @@ void bandstop_overshoot(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax6004{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "filter[].fg_f0 filter[].guete filter[].type filter[].prototype filter[].order filter[].enable "
@@ -51,4 +51,4 @@ extern constinit Rule const ax6004{
     .check = bandstop_overshoot,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax6004

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax6005::says {
 
 constexpr Sentence headline{"the filters of this axis may amplify peaks by a factor of {gain}",
                             "die Filter dieser Achse können Spitzen auf das {gain}fache verstärken"};
@@ -27,9 +27,9 @@ constexpr Sentence help{
     "where the dynamics leave no room for it, use lower orders or a smaller share",
     "lässt die Dynamik dafür keinen Platz, kleinere Ordnungen oder einen kleineren Signalanteil verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax6005::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax6005 {
 namespace {
 
 constexpr double noticeable = 2;
@@ -61,7 +61,7 @@ void peak_gain(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax6005{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters =
         "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "
@@ -70,4 +70,4 @@ extern constinit Rule const ax6005{
     .check = peak_gain,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax6005

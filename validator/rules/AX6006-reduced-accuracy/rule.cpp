@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax6006::says {
 
 constexpr Sentence headline{"rounding leaves `{filter}` an accuracy of about {error}",
                             "die Rundung lässt `{filter}` eine Genauigkeit von etwa {error}"};
@@ -17,9 +17,9 @@ constexpr Sentence note{
     "nicht"};
 constexpr Sentence help{"use a frequency up to {limit} Hz", "eine Frequenz bis {limit} Hz verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax6006::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax6006 {
 namespace {
 
 constexpr double stated_accuracy = 1e-9;
@@ -42,7 +42,7 @@ void reduced_accuracy(FilterContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax6006{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "filters[].*",
     .needs = Needs::cycle_time,
@@ -50,4 +50,4 @@ extern constinit Rule const ax6006{
     .check = reduced_accuracy,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax6006

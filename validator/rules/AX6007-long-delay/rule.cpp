@@ -3,7 +3,7 @@
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/group_delays.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax6007::says {
 
 constexpr Sentence headline{"the filters of this axis delay its setpoint by {milliseconds} ms",
                             "die Filter dieser Achse verzögern ihren Sollwert um {milliseconds} ms"};
@@ -15,9 +15,9 @@ constexpr Sentence note{
 constexpr Sentence help{"use a higher frequency, or a shorter time",
                         "eine höhere Frequenz oder eine kürzere Zeit verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax6007::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax6007 {
 namespace {
 
 constexpr double noticeable_seconds = 0.1;
@@ -36,11 +36,11 @@ void long_delay(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax6007{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "filter[].* filter_fir.*",
     .needs = Needs::cycle_time,
     .check = long_delay,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax6007

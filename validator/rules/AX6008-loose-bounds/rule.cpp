@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax6008::says {
 
 constexpr Sentence headline{"an image proves less than usual about `{filter}`",
                             "über `{filter}` beweist ein Abbild weniger als sonst"};
@@ -23,9 +23,9 @@ constexpr Sentence help_slower{"lower `{parameter}`", "`{parameter}` verringern"
 constexpr Sentence help_faster{"raise `{parameter}`", "`{parameter}` erhöhen"};
 constexpr Sentence help_time{"shorten `{parameter}`", "`{parameter}` verkürzen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax6008::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax6008 {
 namespace {
 
 /// At a value at which no finding about the same filter's speed is: AX6003 is at `enable`, AX6006 at a high
@@ -71,7 +71,7 @@ void loose_bounds(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax6008{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters =
         "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type filters[].prototype "
@@ -80,4 +80,4 @@ extern constinit Rule const ax6008{
     .check = loose_bounds,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax6008

@@ -2,7 +2,7 @@
 
 #include "validator/rules/helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7001::says {
 
 constexpr Sentence headline{"nothing in this list tells what kind of list it is: it is not checked",
                             "nichts in dieser Liste zeigt, von welcher Art sie ist: sie wird nicht geprüft"};
@@ -18,9 +18,9 @@ constexpr Sentence help{
     "`--kind axis` oder \"kind\" in axisc.json prüft sie als Achsliste, \"exclude\" dort lässt sie aus; "
     "andere Arten: {kinds}"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7001::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7001 {
 namespace {
 
 std::string other_kinds() {
@@ -72,9 +72,9 @@ void unknown_kind(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7001{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = unknown_kind,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7001

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7002::says {
 
 constexpr Sentence no_list{"the list \"{file}\" is not found", "die Liste „{file}“ ist nicht zu finden"};
 constexpr Sentence no_program{"the program \"{file}\" is not found",
@@ -39,9 +39,9 @@ constexpr Sentence help_unnamed{"name the list, or lower the number",
 constexpr Sentence reaction_unnamed{"it looks for a list without a name and aborts start-up",
                                     "sie sucht eine Liste ohne Namen und bricht den Hochlauf ab"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7002::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7002 {
 namespace {
 
 class Searches {
@@ -71,7 +71,7 @@ class Searches {
  private:
   void tell_unnamed(ListSearch const& search) const {
     Finding& finding =
-        report_.add(search.named.place, {says::unnamed_list, {{"parameter", search.named.text}}});
+        report_.add(search.named.place, {validator::says::unnamed_list, {{"parameter", search.named.text}}});
     finding.help.push_back({says::help_unnamed, {}});
     // What becomes of a channel without a list is not documented.
     if (search.wanted != configuration::ListKind::channel) react(finding, {says::reaction_unnamed, {}});
@@ -97,7 +97,7 @@ class Searches {
       finding.notes.push_back({start_up_.is_project ? says::searched_from_project : says::searched, {}});
       finding.help.push_back({is_list ? says::help_list : says::help_program, {}});
     }
-    if (is_default_list(start_up_, search)) finding.notes.push_back({says::control_defaults, {}});
+    if (is_default_list(start_up_, search)) finding.notes.push_back({validator::says::control_defaults, {}});
   }
 
   StartUp const& start_up_;
@@ -111,8 +111,8 @@ void list_not_found(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7002{
+extern constinit Rule const rule{
     .check = list_not_found,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7002

@@ -2,7 +2,7 @@
 
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7003::says {
 
 constexpr Sentence headline{"`{parameter}` is not read: `{count}` is {number}",
                             "`{parameter}` wird nicht gelesen: `{count}` ist {number}"};
@@ -12,9 +12,9 @@ constexpr Sentence count_here{"the number is set here", "hier wird die Anzahl ge
 constexpr Sentence help{"set `{count}` to at least {needed}, or remove the entry",
                         "`{count}` auf mindestens {needed} setzen, oder den Eintrag entfernen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7003::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7003 {
 namespace {
 
 struct Array {
@@ -53,9 +53,9 @@ void list_ignored(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7003{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = list_ignored,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7003

@@ -2,7 +2,7 @@
 
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7006::says {
 
 constexpr Sentence headline{"no axis list has the number {number}",
                             "keine Achsliste hat die Nummer {number}"};
@@ -14,9 +14,9 @@ constexpr Sentence help{
     "write one of these numbers, or name the list of the axis in the start-up list",
     "eine dieser Nummern schreiben, oder die Liste der Achse in der Hochlaufliste nennen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7006::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7006 {
 namespace {
 
 class Numbers {
@@ -66,10 +66,10 @@ void axis_unknown(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7006{
+extern constinit Rule const rule{
     .control = "150010",
     .parameters = "kopf.achs_nr",
     .check = axis_unknown,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7006

@@ -3,7 +3,7 @@
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7007::says {
 
 constexpr Sentence headline{"`{parameter}` is {number}, but the list configures {configured}",
                             "`{parameter}` ist {number}, die Liste konfiguriert aber {configured}"};
@@ -21,9 +21,9 @@ constexpr Sentence help_axes{
     "set `zahl_mds` to the number of axis lists, and name them as `achs_mds[0]` and so on",
     "`zahl_mds` auf die Anzahl der Achslisten setzen, und diese als `achs_mds[0]` und so weiter nennen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7007::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7007 {
 namespace {
 
 // Message numbers of the control.
@@ -76,9 +76,9 @@ void axis_count(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7007{
+extern constinit Rule const rule{
     .control = control_numbers<out_of_range, not_as_configured>,
     .check = axis_count,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7007

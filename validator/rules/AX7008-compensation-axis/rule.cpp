@@ -2,7 +2,7 @@
 
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7008::says {
 
 constexpr Sentence headline{
     "the compensation list is for axis {own}, the start-up list gives it to axis {number}",
@@ -11,9 +11,9 @@ constexpr Sentence own_here{"the list names its axis here", "hier nennt die List
 constexpr Sentence reaction{"it refuses the compensation list", "sie weist die Kompensationsliste zurück"};
 constexpr Sentence help{"correct the number that is wrong", "die falsche Nummer berichtigen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7008::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7008 {
 namespace {
 
 void compensation_axis(MachineContext const& context, Report& report) {
@@ -33,10 +33,10 @@ void compensation_axis(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7008{
+extern constinit Rule const rule{
     .control = "110229",
     .parameters = "kopf.achs_nr",
     .check = compensation_axis,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7008

@@ -3,7 +3,7 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/sentences.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7009::says {
 
 constexpr Sentence headline{
     "the start-up list names a list of another kind here: its parameters are {kind}, expected are {wanted}",
@@ -20,9 +20,9 @@ constexpr Sentence reaction{"it does not find the parameters that it looks for",
                             "sie findet die gesuchten Parameter nicht"};
 constexpr Sentence help_here{"name the right list here", "hier die richtige Liste nennen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7009::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7009 {
 namespace {
 
 void wrong_kind_in_machine_file(MachineContext const& context, Report& report) {
@@ -47,7 +47,7 @@ void wrong_kind(MachineContext const& context, Report& report) {
                                         {{"kind", configuration::number_prefix(*search.kind)},
                                          {"wanted", configuration::number_prefix(*search.wanted)}}});
     if (is_default_list(*context.machine.start_up, search)) {
-      finding.notes.push_back({says::control_defaults, {}});
+      finding.notes.push_back({validator::says::control_defaults, {}});
     }
     finding.help.push_back({says::help_here, {}});
     react(finding, {says::reaction, {}});
@@ -56,8 +56,8 @@ void wrong_kind(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7009{
+extern constinit Rule const rule{
     .check = wrong_kind,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7009

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7010::says {
 
 constexpr Sentence headline{"axis {number} belongs to two channels", "Achse {number} gehört zu zwei Kanälen"};
 constexpr Sentence first_here{"first here", "zuerst hier"};
@@ -15,9 +15,9 @@ constexpr Sentence note{
 constexpr Sentence help{"if programs do not exchange it, give each channel an axis of its own",
                         "tauschen Programme sie nicht, jedem Kanal eine eigene Achse geben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7010::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7010 {
 namespace {
 
 void axis_in_two_channels(MachineContext const& context, Report& report) {
@@ -40,10 +40,10 @@ void axis_in_two_channels(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7010{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "kopf.achs_nr",
     .check = axis_in_two_channels,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7010

@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7011::says {
 
 constexpr Sentence headline{"`{parameter}` names the list of `{first}` again",
                             "`{parameter}` nennt die Liste von `{first}` noch einmal"};
@@ -14,9 +14,9 @@ constexpr Sentence note{"both axes get the same number (P-AXIS-00016)",
 constexpr Sentence help{"name a list of its own for each axis; what they share belongs in the default list",
                         "für jede Achse eine eigene Liste nennen; Gemeinsames gehört in die Standardliste"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7011::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7011 {
 namespace {
 
 std::string entry_name(configuration::ListEntry const& entry) {
@@ -42,9 +42,9 @@ void list_twice(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7011{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = list_twice,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7011

@@ -2,7 +2,7 @@
 
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7012::says {
 
 constexpr Sentence headline{"the real-time list says {list}, checked was with {used}",
                             "die Echtzeitliste sagt {list}, geprüft wurde mit {used}"};
@@ -13,9 +13,9 @@ constexpr Sentence note{"the option or the settings win over the list",
 constexpr Sentence help{"leave out the cycle time, and the list's counts",
                         "die Zykluszeit weglassen, dann gilt die der Liste"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7012::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7012 {
 namespace {
 
 void cycle_time_contradiction(MachineContext const& context, Report& report) {
@@ -34,9 +34,9 @@ void cycle_time_contradiction(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7012{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .check = cycle_time_contradiction,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7012

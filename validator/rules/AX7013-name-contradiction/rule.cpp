@@ -2,7 +2,7 @@
 
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7013::says {
 
 constexpr Sentence headline{R"(programs call this axis "{name}", its list calls it "{own}")",
                             "Programme nennen diese Achse „{name}“, ihre Liste nennt sie „{own}“"};
@@ -14,9 +14,9 @@ constexpr Sentence own_here{"the list says so here", "hier sagt es die Liste"};
 constexpr Sentence help{"if the difference is not meant, change one of the names",
                         "ist der Unterschied nicht gewollt, einen der Namen ändern"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7013::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7013 {
 namespace {
 
 void name_contradiction(MachineContext const& context, Report& report) {
@@ -42,10 +42,10 @@ void name_contradiction(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7013{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "kopf.log_achs_name kopf.achs_nr",
     .check = name_contradiction,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7013

@@ -2,7 +2,7 @@
 
 #include "validator/rules/helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7014::says {
 
 constexpr Sentence headline{"no start-up list in this folder names this list",
                             "keine Hochlaufliste in diesem Ordner nennt diese Liste"};
@@ -11,9 +11,9 @@ constexpr Sentence help{
     "name it in the start-up list, delete it, or leave it out with \"exclude\" in axisc.json",
     "sie in der Hochlaufliste nennen, löschen, oder mit \"exclude\" in axisc.json auslassen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7014::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7014 {
 namespace {
 
 void list_not_named(MachineContext const& context, Report& report) {
@@ -32,9 +32,9 @@ void list_not_named(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7014{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .check = list_not_named,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7014

@@ -2,16 +2,16 @@
 
 #include "validator/rules/filter_words.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax7015::says {
 
 constexpr Sentence headline{"the spindle \"{axis}\" is listed among the path axes",
                             "die Spindel „{axis}“ steht bei den Bahnachsen"};
 constexpr Sentence type_here{"its type is set here", "hier wird ihr Typ gesetzt"};
 constexpr Sentence help{"list it in `spindel[i]`", "sie in `spindel[i]` aufführen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax7015::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax7015 {
 namespace {
 
 void spindle_as_path_axis(MachineContext const& context, Report& report) {
@@ -33,10 +33,10 @@ void spindle_as_path_axis(MachineContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax7015{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "kopf.achs_nr kenngr.achs_typ",
     .check = spindle_as_path_axis,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax7015

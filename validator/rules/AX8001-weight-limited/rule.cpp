@@ -12,7 +12,7 @@
 #include <set>
 #include <utility>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax8001::says {
 
 constexpr Sentence headline{"`{word}`: axis \"{axis}\" gets {counts} in `{parameter}`, not {asked}",
                             "`{word}`: Achse „{axis}“ erhält {counts} in `{parameter}`, nicht {asked}"};
@@ -30,9 +30,9 @@ constexpr Sentence help_most{"axis {axis} allows at most {percent} %",
 constexpr Sentence help_least{"axis {axis} needs at least {percent} %",
                               "die Achse {axis} braucht mindestens {percent} %"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax8001::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax8001 {
 namespace {
 
 using Of = schema::Weighting::Of;
@@ -200,7 +200,7 @@ void weight_limited(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax8001{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .control = "50130/120029/120031/120033/120035/120036/120037/120038/120627/120629",
     .parameters =
@@ -209,4 +209,4 @@ extern constinit Rule const ax8001{
     .check = weight_limited,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax8001

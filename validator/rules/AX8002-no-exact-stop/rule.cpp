@@ -4,7 +4,7 @@
 #include "validator/rules/motion_blocks.hpp"
 #include "validator/rules/program_helpers.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax8002::says {
 
 constexpr Sentence no_stop{"`G09` does not stop here; `G60` does", "`G09` hält hier nicht; `G60` hält"};
 constexpr Sentence what_it_does{
@@ -20,9 +20,9 @@ constexpr Sentence no_motion_help{
     "jedem Satz"};
 constexpr Sentence reaction{"it aborts the program", "sie bricht das Programm ab"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax8002::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax8002 {
 namespace {
 
 void report_stop_without_motion(ProgramContext const& context, Span span, Report& report) {
@@ -57,10 +57,10 @@ void no_exact_stop(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax8002{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .control = "20003",
     .check = no_exact_stop,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax8002

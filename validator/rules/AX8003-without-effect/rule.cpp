@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax8003::says {
 
 constexpr Sentence with_step{"`{parameter}` has no effect: the slope of the channel is STEP",
                              "`{parameter}` hat keine Wirkung: der Slope des Kanals ist STEP"};
@@ -23,9 +23,9 @@ constexpr Sentence too{"neither has `{parameter}`", "ebenso wenig `{parameter}`"
 constexpr Sentence help{"leave it where the channel list is to change; else remove the line",
                         "stehen lassen, wenn sich die Kanalliste noch ändert; sonst die Zeile entfernen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax8003::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax8003 {
 namespace {
 
 constexpr std::string_view a_weight = "getriebe[].dynamik.a_trans_weight";
@@ -103,7 +103,7 @@ void without_effect(GroupContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax8003{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters =
         "getriebe[].slope_profil.tr_beschl_zu getriebe[].slope_profil.tr_beschl_ab "
@@ -114,4 +114,4 @@ extern constinit Rule const ax8003{
     .check = without_effect,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax8003

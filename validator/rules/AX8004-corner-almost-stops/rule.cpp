@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax8004::says {
 
 constexpr Sentence headline{"through a corner of 90° the path moves with {velocity} mm/s",
                             "durch eine Ecke von 90° fährt die Bahn mit {velocity} mm/s"};
@@ -23,9 +23,9 @@ constexpr Sentence help{
     "mit `getriebe[0].dynamik.a_trans_weight 1000` wären es {velocity} mm/s; der Sprung regt die Maschine "
     "stärker an"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax8004::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax8004 {
 namespace {
 
 /// What an axis contributes to a corner between it and another one.
@@ -68,11 +68,11 @@ void corner_almost_stops(GroupContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax8004{
+extern constinit Rule const rule{
     .severity = Severity::note,
     .parameters = "getriebe[].dynamik.a_trans_weight",
     .needs = Needs::cycle_time,
     .check = corner_almost_stops,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax8004

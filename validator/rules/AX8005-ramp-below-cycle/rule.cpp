@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax8005::says {
 
 constexpr Sentence headline{
     "the ramp time `{parameter}` is shorter than a cycle: it acts as a step",
@@ -17,9 +17,9 @@ constexpr Sentence limit{"a ramp time counts from {limit} on, the cycle time",
 constexpr Sentence too{"so is `{parameter}`", "ebenso `{parameter}`"};
 constexpr Sentence help{"write at least {limit}", "mindestens {limit} schreiben"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax8005::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax8005 {
 namespace {
 
 constexpr std::array<std::string_view, 6> ramp_times = {
@@ -50,7 +50,7 @@ void ramp_below_cycle(AxisContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax8005{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "getriebe[].slope_profil.tr_beschl_zu getriebe[].slope_profil.tr_beschl_ab "
@@ -60,4 +60,4 @@ extern constinit Rule const ax8005{
     .check = ramp_below_cycle,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax8005

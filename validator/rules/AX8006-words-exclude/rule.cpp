@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax8006::says {
 
 constexpr Sentence headline{"`{word}` must not stand in one block with `{other}`",
                             "`{word}` darf nicht mit `{other}` in einem Satz stehen"};
@@ -16,9 +16,9 @@ constexpr Sentence other_here{"the other word", "das andere Wort"};
 constexpr Sentence reaction{"it aborts the program", "sie bricht das Programm ab"};
 constexpr Sentence help{"leave out one of them", "eines davon weglassen"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax8006::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax8006 {
 namespace {
 
 bool is_about_feed(BlockFunction const& function) {
@@ -49,9 +49,9 @@ void words_exclude(ProgramContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax8006{
+extern constinit Rule const rule{
     .control = "20109",
     .check = words_exclude,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax8006

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax8007::says {
 
 constexpr Sentence headline{"`{parameter}` must be at least `{acceleration}`",
                             "`{parameter}` muss mindestens `{acceleration}` sein"};
@@ -25,9 +25,9 @@ constexpr Sentence undocumented{
 constexpr Sentence help{"raise it to at least {value}, or leave it out: then P-AXIS-00008 counts",
                         "auf mindestens {value} erhöhen, oder weglassen: dann gilt P-AXIS-00008"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax8007::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax8007 {
 namespace {
 
 constexpr std::array of_step = {std::string_view("getriebe[].lslope_profil.a_stufe_1"),
@@ -85,7 +85,7 @@ void weight_cap_too_low(GroupContext const& context, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax8007{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters =
         "getriebe[].dynamik.a_w_max getriebe[].dynamik.a_max getriebe[].slope_profil.a_beschl "
@@ -94,4 +94,4 @@ extern constinit Rule const ax8007{
     .check = weight_cap_too_low,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax8007

@@ -1,7 +1,7 @@
 #include "validator/engine/rule.hpp"
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax9004 {
 
-extern constinit Rule const ax9004{};
+extern constinit Rule const rule{};
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax9004

@@ -1,9 +1,9 @@
 #include "validator/engine/rule.hpp"
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax9006 {
 
-extern constinit Rule const ax9006{
+extern constinit Rule const rule{
     .severity = Severity::note,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax9006

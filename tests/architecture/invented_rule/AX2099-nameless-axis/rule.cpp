@@ -1,13 +1,13 @@
 #include "validator/engine/rule.hpp"
 
-namespace axisc::validator::says {
+namespace axisc::validator::checks::ax2099::says {
 
 constexpr Sentence headline{"the axis has no name of its own", "die Achse hat keinen eigenen Namen"};
 constexpr Sentence help{"write the name that programs use", "den Namen schreiben, den Programme verwenden"};
 
-}  // namespace axisc::validator::says
+}  // namespace axisc::validator::checks::ax2099::says
 
-namespace axisc::validator::checks {
+namespace axisc::validator::checks::ax2099 {
 namespace {
 
 void nameless_axis(AxisContext const& axis, Report& report) {
@@ -19,10 +19,10 @@ void nameless_axis(AxisContext const& axis, Report& report) {
 
 }  // namespace
 
-extern constinit Rule const ax2099{
+extern constinit Rule const rule{
     .severity = Severity::warning,
     .parameters = "kopf.log_achs_name",
     .check = nameless_axis,
 };
 
-}  // namespace axisc::validator::checks
+}  // namespace axisc::validator::checks::ax2099
