@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace answers_test {
+
 using namespace axisc::test;
 using nlohmann::json;
 
@@ -95,3 +97,5 @@ TEST_CASE("programs read the same in every language") {
     CHECK(english == german);
   }
 }
+
+}  // namespace answers_test

@@ -11,6 +11,8 @@
 #include <array>
 #include <cstdlib>
 
+namespace command_line_test {
+
 using namespace axisc;
 using namespace axisc;
 using namespace axisc::cli;
@@ -181,3 +183,5 @@ TEST_CASE("a flag may have a word, and one option may begin like another") {
   CHECK(given({"-o", "-q"}).output == "-q");
   CHECK_FALSE(given({"-o", "-q"}).quiet);
 }
+
+}  // namespace command_line_test

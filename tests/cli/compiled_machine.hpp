@@ -5,14 +5,18 @@
 #include "support/temporary_folder.hpp"
 
 #include <string>
+#include <vector>
 
 namespace axisc::test {
 
-/// Compiles the machine to `m.axim` in `folder`; commands then run there.
-[[nodiscard]] inline Surroundings compiled(TemporaryFolder const& folder) {
+/// Compiles the machine, with `more` options, to `m.axim` in `folder`; commands then run there.
+[[nodiscard]] inline Surroundings compiled(TemporaryFolder const& folder,
+                                           std::vector<std::string> const& more = {}) {
   Surroundings there = in_folder(folder.path());
   std::string const machine = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/machine/machine.json";
-  REQUIRE(run_axisc({"compile", machine, "-o", "m.axim", "--quiet"}, there).status == 0);
+  std::vector<std::string> arguments{"compile", machine, "-o", "m.axim", "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  REQUIRE(run_axisc(arguments, there).status == 0);
   return there;
 }
 

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace documents_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -305,3 +307,5 @@ TEST_CASE("every line for the shell in the documentation runs") {
       CHECK(shell(watched + block, folder / "try") == "");
   }
 }
+
+}  // namespace documents_test

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace explain_test {
+
 using namespace axisc::test;
 
 TEST_CASE("a code is explained by code, number or name, in both languages") {
@@ -247,3 +249,5 @@ TEST_CASE("the page about NC programs has a row for every word that says how a p
   page.replace(from + begin.size(), to - from - begin.size(), table);
   check_golden(name, page);
 }
+
+}  // namespace explain_test

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+namespace german_numbers_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -133,3 +135,5 @@ TEST_CASE("German answers have decimal commas") {
     CHECK(lines_with_points(text) == std::vector<std::string>());
   }
 }
+
+}  // namespace german_numbers_test

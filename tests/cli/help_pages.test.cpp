@@ -9,6 +9,8 @@
 
 #include <sstream>
 
+namespace help_pages_test {
+
 using namespace axisc;
 using namespace axisc::cli;
 using namespace axisc::test;
@@ -82,3 +84,5 @@ TEST_CASE("a manual page describes with the words of the help") {
     CHECK_THAT(page, Contains(".SH \"EXAMPLES\"\n.nf\naxisc " + std::string(command.name)));
   }
 }
+
+}  // namespace help_pages_test

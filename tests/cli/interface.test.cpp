@@ -17,6 +17,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace interface_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -611,3 +613,5 @@ TEST_CASE("axisc.h outlives functions that fail, lie, cancel or call again") {
   opened.call(axisc_check, "shelf/x.lis");
   CHECK(opened.status == AXISC_OK);
 }
+
+}  // namespace interface_test

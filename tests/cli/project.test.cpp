@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+namespace project_test {
+
 using namespace axisc::test;
 namespace fs = std::filesystem;
 
@@ -193,3 +195,5 @@ TEST_CASE("lists of other kinds in a project are checked line by line, by what t
   folder.write("b.tsproj", "<P><WerkzD><![CDATA[wz[1].laenge 1\n]]></WerkzD></P>");
   CHECK(run_axisc({"lint", "b.tsproj"}, there).out.find("holds no list") != std::string::npos);
 }
+
+}  // namespace project_test

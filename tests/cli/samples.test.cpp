@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace samples_test {
+
 using namespace axisc;
 using namespace axisc::test;
 
@@ -114,3 +116,5 @@ TEST_CASE("every sample differs from itself in nothing") {
   }
   CHECK(compared > 20);
 }
+
+}  // namespace samples_test

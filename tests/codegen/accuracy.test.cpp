@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace axisc::codegen {
+namespace axisc::codegen::accuracy_test {
 namespace {
 
 using design::FilterSpecification;
@@ -173,4 +173,4 @@ TEST_CASE("a whole delay is exact", "[image][accuracy]") {
   CHECK(exact);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::accuracy_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::codegen::bound_records_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -81,4 +81,4 @@ TEST_CASE("an image without bounds claims nothing", "[image][bounds]") {
   CHECK(bounds.failures() == 0);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::bound_records_test

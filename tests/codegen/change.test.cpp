@@ -14,6 +14,8 @@
 #include <optional>
 #include <vector>
 
+namespace change_test {
+
 using namespace axisc;
 using codegen::AlignedBytes;
 using design::FilterSpecification;
@@ -303,3 +305,5 @@ TEST_CASE("wrong use of a change is an argument that is refused", "[change]") {
   CHECK(axisrt_swap_done(active.runtime) == 0);
   CHECK(axisrt_swap_done(nullptr) == 0);
 }
+
+}  // namespace change_test

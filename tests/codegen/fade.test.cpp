@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace axisc::codegen {
+namespace axisc::codegen::fade_test {
 
 TEST_CASE("a fade takes the fewest cycles that fulfil both inequalities", "[fade]") {
   test::Random random(8);
@@ -64,4 +64,4 @@ TEST_CASE("the distance of two kernels is that of their tails", "[fade]") {
   CHECK(tail_distance(nullptr, nullptr) == 0);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::fade_test

@@ -15,7 +15,7 @@
 #include <fstream>
 #include <string>
 
-namespace axisc::codegen {
+namespace axisc::codegen::golden_image_test {
 namespace {
 
 constexpr char const* whole_image = "tests/data/images/v1.0-sample.axim";
@@ -226,4 +226,4 @@ TEST_CASE("images have the same bytes with every compiler, at every optimisation
                      lines);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::golden_image_test

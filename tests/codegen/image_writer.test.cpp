@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace axisc::codegen {
+namespace axisc::codegen::image_writer_test {
 namespace {
 
 using test::contents_of;
@@ -100,4 +100,4 @@ TEST_CASE("a stripped image is small, says the same about filters and runs", "[i
   CHECK(test::runtime_for(stripped).axis_name(0).empty());
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::image_writer_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::codegen::kernel_behaviour_test {
 namespace {
 
 using design::KernelSpecification;
@@ -156,4 +156,4 @@ TEST_CASE("a constant setpoint comes out unchanged through any sequence of comma
   CHECK(constant);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::kernel_behaviour_test

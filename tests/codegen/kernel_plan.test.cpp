@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace axisc::codegen {
+namespace axisc::codegen::kernel_plan_test {
 namespace {
 
 using design::KernelSpecification;
@@ -155,4 +155,4 @@ TEST_CASE("runtime and compiler mean the same order by a time", "[kernel-plan]")
   }
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::kernel_plan_test

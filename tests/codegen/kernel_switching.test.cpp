@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::codegen::kernel_switching_test {
 namespace {
 
 using design::FilterSpecification;
@@ -214,4 +214,4 @@ TEST_CASE("a million commands keep the bounds", "[.][long][switching]") {
   switch_often(1'000'000);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::kernel_switching_test

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::codegen::known_designs_test {
 namespace {
 
 using design::FilterSpecification;
@@ -100,4 +100,4 @@ TEST_CASE("an image does not tell what was compiled before it", "[known-designs]
   for (std::size_t i = 0; i < machines.size(); ++i) CHECK(write_image(machines[i], {}) == images[i]);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::known_designs_test

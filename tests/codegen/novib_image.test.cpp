@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::codegen::novib_image_test {
 namespace {
 
 using design::CycleTime;
@@ -91,4 +91,4 @@ TEST_CASE("the longest NoVib kernel runs", "[image][novib]") {
   CHECK(largest < 1e-9);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::novib_image_test

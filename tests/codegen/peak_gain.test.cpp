@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::codegen::peak_gain_test {
 namespace {
 
 using design::CycleTime;
@@ -192,4 +192,4 @@ TEST_CASE("setpoints within v are never implausible, also through a filter slowe
   CHECK(largest > 1.25 * v);
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::peak_gain_test

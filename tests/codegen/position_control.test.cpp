@@ -9,7 +9,7 @@
 #include <complex>
 #include <numbers>
 
-namespace axisc::codegen {
+namespace axisc::codegen::position_control_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -149,4 +149,4 @@ TEST_CASE("constant velocities are not touched", "[position-control]") {
   }
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::codegen::position_control_test

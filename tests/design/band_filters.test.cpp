@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace band_filters_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -78,3 +80,5 @@ TEST_CASE("each section of a band-pass blocks the constant part and amplifies li
     }
   }
 }
+
+}  // namespace band_filters_test

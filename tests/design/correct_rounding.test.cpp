@@ -10,6 +10,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+namespace correct_rounding_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -82,3 +84,5 @@ TEST_CASE("the response is the stored sections', to 1e-13, down to 0 Hz") {
     }
   }
 }
+
+}  // namespace correct_rounding_test

@@ -12,6 +12,8 @@
 #include <tuple>
 #include <vector>
 
+namespace filter_analysis_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -284,3 +286,5 @@ TEST_CASE("direct form and poles belong to the same section") {
     }
   }
 }
+
+}  // namespace filter_analysis_test

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+namespace filter_kinds_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -111,3 +113,5 @@ TEST_CASE("a number without a row uses nothing") {
   CHECK_FALSE(uses_time_constant(unknown));
   CHECK_FALSE(computes_order(unknown));
 }
+
+}  // namespace filter_kinds_test

@@ -9,6 +9,8 @@
 #include <functional>
 #include <numbers>
 
+namespace filter_readings_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -211,3 +213,5 @@ TEST_CASE("a band-stop of critical damping with the quality of its poles is one 
     CHECK(std::abs(response(cubed, {frequency}, one_millisecond) - H * H * H) < 1e-12);
   }
 }
+
+}  // namespace filter_readings_test

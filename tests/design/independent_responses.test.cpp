@@ -13,6 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace independent_responses_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -67,3 +69,5 @@ TEST_CASE("every type and prototype agrees with independent arithmetic") {
     }
   }
 }
+
+}  // namespace independent_responses_test

@@ -13,6 +13,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+namespace kernel_analysis_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -200,3 +202,5 @@ TEST_CASE("kernels without negative taps neither overshoot nor amplify; the wind
   CHECK(sinc.overshoot > 0.01);
   CHECK(sinc.peak_gain > 1.1);
 }
+
+}  // namespace kernel_analysis_test

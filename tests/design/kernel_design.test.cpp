@@ -10,6 +10,8 @@
 #include <numeric>
 #include <vector>
 
+namespace kernel_design_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -194,3 +196,5 @@ TEST_CASE("equal specifications give equal kernels") {
     CHECK(first.taps == second.taps);
   }
 }
+
+}  // namespace kernel_design_test

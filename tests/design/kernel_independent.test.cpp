@@ -11,6 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace kernel_independent_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -45,3 +47,5 @@ TEST_CASE("every kernel is the one of independent arithmetic, to the last bit") 
     }
   }
 }
+
+}  // namespace kernel_independent_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace kernel_novib_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -99,3 +101,5 @@ TEST_CASE("a share leaves that much of the vibration") {
   KernelDesign const kernel = design_kernel(novib_of(53, 89), cycle_time);
   CHECK(gain(kernel, 53, cycle_time) == Approx(0.11).epsilon(1e-12));
 }
+
+}  // namespace kernel_novib_test

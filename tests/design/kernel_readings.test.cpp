@@ -9,6 +9,8 @@
 #include <numbers>
 #include <numeric>
 
+namespace kernel_readings_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -166,3 +168,5 @@ TEST_CASE("kernels for another cycle time are those of a control with that cycle
     }
   }
 }
+
+}  // namespace kernel_readings_test

@@ -15,6 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace kernel_references_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -87,3 +89,5 @@ TEST_CASE("kernels agree with the independent responses of the specification") {
     for (auto const& item : cases) check_case(item);
   }
 }
+
+}  // namespace kernel_references_test

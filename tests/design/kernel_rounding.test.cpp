@@ -12,6 +12,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+namespace kernel_rounding_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -106,3 +108,5 @@ TEST_CASE("recurrences keep 46 of 50 digits over the longest kernel") {
   for (int k = 0; k <= 100; ++k)
     CHECK(abs(c[static_cast<std::size_t>(k)] / exp(-Exact(k) * k / 288) - 1) < tolerance);
 }
+
+}  // namespace kernel_rounding_test

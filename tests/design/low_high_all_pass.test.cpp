@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace low_high_all_pass_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -104,3 +106,5 @@ TEST_CASE("a share blends the undelayed setpoint in, and none switches the filte
   filter.share_percent = 0;
   CHECK(design_filter(filter, one_millisecond, Precision::exact).realisation == Realisation::pass_through);
 }
+
+}  // namespace low_high_all_pass_test

@@ -4,6 +4,8 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+namespace prototypes_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -91,3 +93,5 @@ TEST_CASE("roots of a polynomial: real and complex, small and large") {
     CHECK(found);
   }
 }
+
+}  // namespace prototypes_test

@@ -15,6 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace reference_responses_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -118,3 +120,5 @@ TEST_CASE("designs agree with the independent responses of the specification") {
     }
   }
 }
+
+}  // namespace reference_responses_test

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace stability_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -152,3 +154,5 @@ TEST_CASE("quick and exact designs respond alike") {
     }
   }
 }
+
+}  // namespace stability_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+namespace time_delay_test {
+
 namespace {
 
 using namespace axisc::design;
@@ -77,3 +79,5 @@ TEST_CASE("a pure delay has its delay at every frequency, and blends") {
   CHECK(std::abs(response(half, {1e3 / 6}, one_millisecond)) < 1e-15);
   CHECK(step_figures({&half, 1}, 1000, 1e-4).settling_cycles == 3);
 }
+
+}  // namespace time_delay_test

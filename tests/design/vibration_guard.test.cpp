@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace axisc::design {
+namespace axisc::design::vibration_guard_test {
 namespace {
 
 using nlohmann::json;
@@ -228,4 +228,4 @@ TEST_CASE("guards of an independent program") {
   }
 }
 
-}  // namespace axisc::design
+}  // namespace axisc::design::vibration_guard_test

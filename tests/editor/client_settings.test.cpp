@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace client_settings_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -157,3 +159,5 @@ TEST_CASE("a mistake in a setting is told by its name, and the others count") {
   CHECK(codes(opened(hello({{"build", "V9"}, {"cycleTime", "1ms"}})).all()).empty());
   CHECK(codes(opened(hello({{"kind", "channel"}, {"cycleTime", 5}})).all()) != Texts{"AX9006"});
 }
+
+}  // namespace client_settings_test

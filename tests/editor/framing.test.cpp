@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+namespace framing_test {
+
 using namespace axisc::editor;
 
 namespace {
@@ -61,3 +63,5 @@ TEST_CASE("nothing is read after a header without a usable length") {
   // Too short by one byte: the next header is not one.
   CHECK(breaks("Content-Length: 1\r\n\r\n{}" + framed("{}")));
 }
+
+}  // namespace framing_test

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace protocol_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -133,3 +135,5 @@ TEST_CASE("a request that is cancelled while it waits is refused") {
   CHECK(results[1].contains("contents"));
   CHECK(results[2].contains("contents"));
 }
+
+}  // namespace protocol_test

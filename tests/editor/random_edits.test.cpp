@@ -6,6 +6,8 @@
 
 #include <random>
 
+namespace random_edits_test {
+
 namespace {
 
 using namespace axisc::test;
@@ -50,3 +52,5 @@ TEST_CASE("after random edits the server shows what it shows of the same text op
 TEST_CASE("after a hundred thousand random edits, too", "[.long]") {
   edit_at_random(100'000, 10);
 }
+
+}  // namespace random_edits_test

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace session_test {
+
 using namespace axisc::test;
 
 TEST_CASE("team settings apply") {
@@ -31,3 +33,5 @@ TEST_CASE("a mistake in the team settings is told once") {
                  message["params"]["message"].get<std::string>().find("axisc.json") != std::string::npos;
         }) == 1);
 }
+
+}  // namespace session_test

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+namespace synchronization_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -242,3 +244,5 @@ TEST_CASE("files that are deleted under the server leave it answering") {
   CHECK(ask("textDocument/codeAction", {{"range", range}, {"context", Json::object()}}).contains("result"));
   CHECK(ask("typeHierarchy/subtypes", {{"item", items[0]}}).contains("result"));
 }
+
+}  // namespace synchronization_test

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+namespace axis_list_test {
+
 namespace {
 
 using namespace axisc::grammar;
@@ -203,3 +205,5 @@ TEST_CASE("the longest lines are read in one go") {
 }
 
 }  // namespace
+
+}  // namespace axis_list_test

@@ -7,6 +7,8 @@
 
 #include <string>
 
+namespace golden_test {
+
 namespace {
 
 void check_list(std::string const& name) {
@@ -30,3 +32,5 @@ TEST_CASE("a list in windows-1252 with CR LF") {
 }
 
 }  // namespace
+
+}  // namespace golden_test

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+namespace invalid_character_test {
+
 namespace {
 
 using axisc::Span;
@@ -63,3 +65,5 @@ TEST_CASE("the second set of control characters counts in UTF-8") {
 }
 
 }  // namespace
+
+}  // namespace invalid_character_test

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+namespace line_splitter_test {
+
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -44,3 +46,5 @@ TEST_CASE("the longest line counts bytes without its line end") {
 }
 
 }  // namespace
+
+}  // namespace line_splitter_test

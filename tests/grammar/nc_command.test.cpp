@@ -4,6 +4,8 @@
 #include "grammar/program_trace.hpp"
 #include "support/catch.hpp"
 
+namespace nc_command_test {
+
 namespace {
 
 using axisc::test::trace_command;
@@ -110,3 +112,5 @@ TEST_CASE("the text of one command holds nothing in front of it") {
 }
 
 }  // namespace
+
+}  // namespace nc_command_test

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+namespace nc_program_test {
+
 namespace {
 
 using axisc::Span;
@@ -120,3 +122,5 @@ TEST_CASE("bad lines hide no others") {
 }
 
 }  // namespace
+
+}  // namespace nc_program_test

@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+namespace number_test {
+
 namespace {
 
 using axisc::grammar::real_value;
@@ -73,3 +75,5 @@ TEST_CASE("what is no number token has no real value") {
 }
 
 }  // namespace
+
+}  // namespace number_test

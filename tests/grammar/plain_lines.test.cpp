@@ -12,6 +12,8 @@
 
 #include <rapidcheck.h>
 
+namespace plain_lines_test {
+
 namespace {
 
 using namespace axisc::grammar;
@@ -195,3 +197,5 @@ TEST_CASE("not more lines are cut than there is room for") {
 }
 
 }  // namespace
+
+}  // namespace plain_lines_test

@@ -9,6 +9,8 @@
 
 #include <rapidcheck.h>
 
+namespace program_excerpt_test {
+
 using namespace axisc::grammar;
 
 namespace {
@@ -84,3 +86,5 @@ TEST_CASE("an excerpt says what the whole program says") {
     }
   }));
 }
+
+}  // namespace program_excerpt_test

@@ -11,6 +11,8 @@
 
 #include <rapidcheck.h>
 
+namespace program_property_test {
+
 namespace {
 
 using axisc::Span;
@@ -105,3 +107,5 @@ TEST_CASE("what is kept of a program") {
 }
 
 }  // namespace
+
+}  // namespace program_property_test

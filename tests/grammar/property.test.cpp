@@ -15,6 +15,8 @@
 
 #include <rapidcheck.h>
 
+namespace property_test {
+
 namespace {
 
 using axisc::Span;
@@ -148,3 +150,5 @@ TEST_CASE("line ends do not matter") {
 }
 
 }  // namespace
+
+}  // namespace property_test

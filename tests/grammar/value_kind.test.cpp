@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+namespace value_kind_test {
+
 namespace {
 
 using axisc::grammar::ValueKind;
@@ -77,3 +79,5 @@ TEST_CASE("everything else") {
 }
 
 }  // namespace
+
+}  // namespace value_kind_test

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+namespace catalogue_test {
+
 namespace {
 
 using namespace axisc::schema;
@@ -236,3 +238,5 @@ TEST_CASE("words of enumerations are known as such") {
 }
 
 }  // namespace
+
+}  // namespace catalogue_test

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+namespace closest_word_test {
+
 namespace {
 
 using axisc::schema::closest_word;
@@ -32,3 +34,5 @@ TEST_CASE("the first of equally near words wins") {
 }
 
 }  // namespace
+
+}  // namespace closest_word_test

@@ -12,6 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace data_test {
+
 namespace {
 
 using namespace axisc::schema;
@@ -115,3 +117,5 @@ TEST_CASE("its JSON schema forbids what is not a row") {
 }
 
 }  // namespace
+
+}  // namespace data_test

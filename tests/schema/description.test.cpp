@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+namespace description_test {
+
 using namespace axisc;
 using namespace axisc::schema;
 
@@ -73,3 +75,5 @@ TEST_CASE("words of an enumeration are described by the words that it has") {
     }
   }
 }
+
+}  // namespace description_test

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+namespace edit_distance_test {
+
 namespace {
 
 using axisc::schema::edit_distance;
@@ -124,3 +126,5 @@ TEST_CASE("long words are compared like short ones") {
 }
 
 }  // namespace
+
+}  // namespace edit_distance_test

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+namespace extension_test {
+
 using namespace axisc::schema;
 
 namespace {
@@ -125,3 +127,5 @@ TEST_CASE("rows live as long as a copy of their catalogue") {
   CHECK(row->name == "getriebe[].new_limit");
   CHECK(copy.find("getriebe[0].new_limit").row == row);
 }
+
+}  // namespace extension_test

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+namespace facts_test {
+
 namespace {
 
 using namespace axisc::schema;
@@ -219,3 +221,5 @@ TEST_CASE("builds that introduced a family") {
 }
 
 }  // namespace
+
+}  // namespace facts_test

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <string>
 
+namespace generator_test {
+
 namespace {
 
 std::filesystem::path working_folder() {
@@ -167,3 +169,5 @@ TEST_CASE("messages and topics name what exists, once, in both languages") {
 }
 
 }  // namespace
+
+}  // namespace generator_test

@@ -6,6 +6,8 @@
 #include <limits>
 #include <string_view>
 
+namespace indexed_name_test {
+
 namespace {
 
 using namespace axisc::schema;
@@ -51,3 +53,5 @@ TEST_CASE("what is no name has no parts") {
 }
 
 }  // namespace
+
+}  // namespace indexed_name_test

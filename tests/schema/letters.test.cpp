@@ -11,6 +11,8 @@
 #include <string>
 #include <utility>
 
+namespace letters_test {
+
 namespace {
 
 using namespace axisc::schema;
@@ -87,3 +89,5 @@ TEST_CASE("letters rule out nothing that is a few slips away") {
 }
 
 }  // namespace
+
+}  // namespace letters_test

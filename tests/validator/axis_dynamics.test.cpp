@@ -5,6 +5,8 @@
 #include "validator/check.hpp"
 #include "validator/views/driven_value.hpp"
 
+namespace axis_dynamics_test {
+
 namespace {
 
 using namespace axisc;
@@ -272,3 +274,5 @@ TEST_CASE("what counts of each value, what caps it, and the jerk of its ramp") {
   }
   CHECK_FALSE(validator::driven_value(dynamics, "filter[].order"));
 }
+
+}  // namespace axis_dynamics_test

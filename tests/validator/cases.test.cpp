@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace cases_test {
+
 namespace {
 
 using namespace axisc;
@@ -85,3 +87,5 @@ TEST_CASE("every case gives its findings and no other") {
     CHECK(found == one.expected);
   }
 }
+
+}  // namespace cases_test

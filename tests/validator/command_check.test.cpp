@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+namespace command_check_test {
+
 namespace {
 
 using namespace axisc;
@@ -16,7 +18,7 @@ CommandLimits limits(std::uint32_t microseconds = 1000, bool time_delay = false)
 }
 
 /// `AX5002 <ORDR>` for each mistake, or the command's parameters in canonical form.
-std::string result(std::string_view text, CommandLimits const& limits = ::limits()) {
+std::string result(std::string_view text, CommandLimits const& limits = command_check_test::limits()) {
   CheckedCommand const checked = parse_filter_command(text, limits);
   std::string mistakes;
   for (CommandMistake const& mistake : checked.mistakes) {
@@ -217,3 +219,5 @@ TEST_CASE("whether a command gives an order") {
   CHECK_FALSE(gives("#FILTER ON [HSC]"));
   CHECK_FALSE(gives("#VIB GUARD ON [ORDER=20]"));
 }
+
+}  // namespace command_check_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string>
 
+namespace delay_budget_test {
+
 namespace {
 
 using namespace axisc;
@@ -124,3 +126,5 @@ TEST_CASE("a FIR filter that is off at the start delays after #FILTER ON") {
 }
 
 }  // namespace
+
+}  // namespace delay_budget_test

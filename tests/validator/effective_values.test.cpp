@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+namespace effective_values_test {
+
 namespace {
 
 using namespace axisc;
@@ -232,3 +234,5 @@ TEST_CASE("broken lines and lines of both lists stand in their order") {
                                           "filter[0].order unusable 1", "filter[2].order unusable 2",
                                           "kopf.achs_nr 3"});
 }
+
+}  // namespace effective_values_test

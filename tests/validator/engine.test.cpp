@@ -6,6 +6,8 @@
 #include "support/checked.hpp"
 #include "validator/sentences.hpp"
 
+namespace engine_test {
+
 namespace {
 
 using namespace axisc;
@@ -266,3 +268,5 @@ TEST_CASE("a comment silences so many codes and no more") {
   auto const found = Checked(line + codes + ", AX1005, AX1005\nEnde\n").found();
   CHECK(found == Lines{"1:" + std::to_string(line.size() + codes.size() + 1) + " AX1013"});
 }
+
+}  // namespace engine_test

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace fifty_mistakes_test {
+
 namespace {
 
 using namespace axisc;
@@ -127,3 +129,5 @@ TEST_CASE("fifty mistakes give fifty findings, each in its place") {
     }
   }
 }
+
+}  // namespace fifty_mistakes_test

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+namespace filter_rules_test {
+
 namespace {
 
 using namespace axisc;
@@ -554,3 +556,5 @@ TEST_CASE("the manual's examples lint without errors") {
   CHECK(lines(filter("TIME_DELAY", "1", "filter[0].time_constant 2000\n" + share)).empty());
   CHECK(lines(open + interface("TIME_DELAY", "1", "filter[0].time_constant 2000\n" + share)).empty());
 }
+
+}  // namespace filter_rules_test

@@ -4,6 +4,8 @@
 
 #include <string>
 
+namespace filter_view_test {
+
 namespace {
 
 using namespace axisc;
@@ -252,3 +254,5 @@ TEST_CASE("a spoilt value counts only where the type uses it") {
   CHECK(designable(active(FilterType::pt1).spoil("filter[0].fg_f0")));
   CHECK(designable(active(FilterType::lowpass).spoil("filter[0].guete")));
 }
+
+}  // namespace filter_view_test

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace fixes_test {
+
 namespace {
 
 using namespace axisc;
@@ -184,3 +186,5 @@ TEST_CASE("a guess does not keep a list from being compiled") {
   CHECK(result.machine);
   CHECK(result.not_compiled.empty());
 }
+
+}  // namespace fixes_test

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace program_cases_test {
+
 namespace {
 
 using namespace axisc;
@@ -128,3 +130,5 @@ TEST_CASE("every case with programs gives its findings and no other") {
     CHECK(findings_of(one) == one.expected);
   }
 }
+
+}  // namespace program_cases_test

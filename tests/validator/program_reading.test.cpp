@@ -10,6 +10,8 @@
 #include <string_view>
 #include <variant>
 
+namespace program_reading_test {
+
 using namespace axisc;
 using namespace axisc::validator;
 using namespace axisc::tests;
@@ -139,3 +141,5 @@ TEST_CASE("an excerpt shows the lines that it holds and is not edited") {
   SourceText const nothing("p", Excerpt{});
   CHECK(nothing.position(0) == Position{.line = 1, .column = 1});
 }
+
+}  // namespace program_reading_test

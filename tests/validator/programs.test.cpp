@@ -3,6 +3,8 @@
 #include "support/checked.hpp"
 #include "validator/loading/loading.hpp"
 
+namespace programs_test {
+
 namespace {
 
 using namespace axisc;
@@ -185,3 +187,5 @@ TEST_CASE("commands of filter_sets must be known to the control's build too") {
   CHECK(findings(sets, "V3.1.3075.03") == Lines{"1:98 AX2016"});
   CHECK(findings(sets, "V3.1.3075.01") == Lines{"1:61 AX2016", "1:86 AX2016"});
 }
+
+}  // namespace programs_test

@@ -5,6 +5,8 @@
 #include "validator/engine/rule.hpp"
 #include "validator/sentences.hpp"
 
+namespace report_test {
+
 namespace {
 
 using namespace axisc;
@@ -55,3 +57,5 @@ TEST_CASE("a finding in words keeps them, and takes place, severity and axis of 
   CHECK(finding.axis.empty());
   CHECK(finding.notes.back().sentence == validator::says::cycle_time_assumed_note);
 }
+
+}  // namespace report_test

@@ -7,6 +7,8 @@
 
 #include <string>
 
+namespace schema_rows_test {
+
 namespace {
 
 using namespace axisc;
@@ -98,3 +100,5 @@ TEST_CASE("a row of several entries may be for some axis types only") {
   CHECK(Checked(list, options).found() == Lines{"1:19 AX2009", "3:19 AX2009"});
   CHECK(Checked(list + "kenngr.achs_typ 2\n", options).found().empty());
 }
+
+}  // namespace schema_rows_test

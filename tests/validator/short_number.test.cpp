@@ -17,6 +17,8 @@
 #include <string>
 #include <string_view>
 
+namespace short_number_test {
+
 using namespace axisc;
 using namespace axisc::validator;
 using axisc::schema::DataType;
@@ -193,3 +195,5 @@ TEST_CASE("a list knows whether it names a parameter twice") {
   CHECK(has_repetitions("filter[0].type PT2\nfilter[0].TYPE PT2\n"));
   CHECK_FALSE(has_repetitions("filter[0].order 2\nfilter[1].order 2\n"));
 }
+
+}  // namespace short_number_test

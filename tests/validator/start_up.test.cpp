@@ -6,6 +6,8 @@
 
 #include <deque>
 
+namespace start_up_test {
+
 namespace {
 
 using namespace axisc;
@@ -258,3 +260,5 @@ TEST_CASE("a count above the lists that are named is an error, no axis at all is
   }
   CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
 }
+
+}  // namespace start_up_test

@@ -9,6 +9,8 @@
 #include <random>
 #include <string>
 
+namespace value_test {
+
 using namespace axisc;
 using axisc::schema::DataType;
 
@@ -133,3 +135,5 @@ TEST_CASE("defaults that were read when the program was built are what their tex
   }
   CHECK(count > 400);
 }
+
+}  // namespace value_test

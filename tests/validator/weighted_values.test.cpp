@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+namespace weighted_values_test {
+
 namespace {
 
 using namespace axisc;
@@ -70,3 +72,5 @@ TEST_CASE("with STEP a deceleration of 0 is that of accelerating") {
   CHECK(limited("prog_start.slope.profile 0\nprog_start.slope.acceleration 1\n", "G131=250\n") ==
         tests::Lines{"lslope_profil.a_stufe_1"});
 }
+
+}  // namespace weighted_values_test

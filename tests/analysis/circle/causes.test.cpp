@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace axisc::circle {
+namespace axisc::circle::causes_test {
 namespace {
 
 std::vector<Turn> turns_of(SimulatedCircle const& machine) {
@@ -104,4 +104,4 @@ TEST_CASE("an external instrument sees squareness, in turns that begin and end a
 }
 
 }  // namespace
-}  // namespace axisc::circle
+}  // namespace axisc::circle::causes_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace axisc::circle {
+namespace axisc::circle::predicted_circle_test {
 namespace {
 
 constexpr double radius = 50'000;  // µm
@@ -57,4 +57,4 @@ TEST_CASE("the ellipse is that of its parametric form") {
 }
 
 }  // namespace
-}  // namespace axisc::circle
+}  // namespace axisc::circle::predicted_circle_test

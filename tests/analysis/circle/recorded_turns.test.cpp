@@ -8,7 +8,7 @@
 #include <numbers>
 #include <variant>
 
-namespace axisc::circle {
+namespace axisc::circle::recorded_turns_test {
 namespace {
 
 std::vector<Turn> turns_of(RecordedPath const& path) {
@@ -171,4 +171,4 @@ TEST_CASE("lost samples do not count") {
 }
 
 }  // namespace
-}  // namespace axisc::circle
+}  // namespace axisc::circle::recorded_turns_test

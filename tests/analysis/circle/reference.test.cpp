@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace axisc::circle {
+namespace axisc::circle::reference_test {
 namespace {
 
 using nlohmann::json;
@@ -96,4 +96,4 @@ TEST_CASE("figures and causes are those of an independent program") {
 }
 
 }  // namespace
-}  // namespace axisc::circle
+}  // namespace axisc::circle::reference_test

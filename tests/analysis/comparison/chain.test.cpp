@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace axisc::comparison {
+namespace axisc::comparison::chain_test {
 namespace {
 
 constexpr design::CycleTime cycle_time{1'000'000};
@@ -158,4 +158,4 @@ TEST_CASE("a kernel that is switched fades over from what it answered before") {
 }
 
 }  // namespace
-}  // namespace axisc::comparison
+}  // namespace axisc::comparison::chain_test

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <random>
 
-namespace axisc::comparison {
+namespace axisc::comparison::found_switches_test {
 namespace {
 
 constexpr ChangeOver lengths{.on = 120, .off = 40};
@@ -104,4 +104,4 @@ TEST_CASE("a filter that stays as it is is not switched") {
 }
 
 }  // namespace
-}  // namespace axisc::comparison
+}  // namespace axisc::comparison::found_switches_test

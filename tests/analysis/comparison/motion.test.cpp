@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace axisc::comparison {
+namespace axisc::comparison::motion_test {
 namespace {
 
 /// 2000 mm/s², ramps of 50 ms, slope TRAPEZ, cycles of 1 ms.
@@ -154,4 +154,4 @@ TEST_CASE("moves are found among others by their ways") {
   CHECK(std::get<NoSuchMoves>(missing).recorded == 2);
 }
 
-}  // namespace axisc::comparison
+}  // namespace axisc::comparison::motion_test

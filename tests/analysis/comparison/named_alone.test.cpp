@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace axisc::comparison {
+namespace axisc::comparison::named_alone_test {
 namespace {
 
 constexpr design::CycleTime cycle_time{1'000'000};
@@ -146,4 +146,4 @@ TEST_CASE("a control that has none of the readings is not said to have the neare
 }
 
 }  // namespace
-}  // namespace axisc::comparison
+}  // namespace axisc::comparison::named_alone_test

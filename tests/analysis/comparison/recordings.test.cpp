@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace axisc::comparison {
+namespace axisc::comparison::recordings_test {
 namespace {
 
 constexpr design::CycleTime cycle_time{1'000'000};
@@ -181,4 +181,4 @@ TEST_CASE("the time shows lost and repeated rows") {
 }
 
 }  // namespace
-}  // namespace axisc::comparison
+}  // namespace axisc::comparison::recordings_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace axisc::comparison {
+namespace axisc::comparison::telling_motion_test {
 namespace {
 
 constexpr Sentence meaning{"other taps", "andere Koeffizienten"};
@@ -53,4 +53,4 @@ TEST_CASE("a single reading needs no motion") {
 }
 
 }  // namespace
-}  // namespace axisc::comparison
+}  // namespace axisc::comparison::telling_motion_test

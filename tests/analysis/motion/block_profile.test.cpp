@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-namespace axisc::motion {
+namespace axisc::motion::block_profile_test {
 namespace {
 
 /// Ramps of one acceleration and the same time everywhere.
@@ -171,4 +171,4 @@ TEST_CASE("a block that begins above its limit brakes at once") {
   CHECK(way == Approx(length).epsilon(1e-12));
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::block_profile_test

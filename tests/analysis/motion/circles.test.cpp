@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::motion {
+namespace axisc::motion::circles_test {
 namespace {
 
 using std::numbers::pi;
@@ -222,4 +222,4 @@ TEST_CASE("a ramp with sin² takes as long as one with constant jerk") {
   CHECK(largest > 0.98 * peak);
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::circles_test

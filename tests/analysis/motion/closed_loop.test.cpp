@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace axisc::motion {
+namespace axisc::motion::closed_loop_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -194,4 +194,4 @@ TEST_CASE("a loop that outlives the search has no highest Kv") {
   CHECK(*found == Approx(1000 * 2 * std::sin(pi / 10)).epsilon(0.1));
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::closed_loop_test

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <optional>
 
-namespace axisc::motion {
+namespace axisc::motion::contour_predictions_test {
 namespace {
 
 using design::KernelSpecification;
@@ -236,4 +236,4 @@ TEST_CASE("corners of slow filters are looked at in every cycle") {
   CHECK(figures.deviation == Approx(expected.deviation).epsilon(1e-4));
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::contour_predictions_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace axisc::motion {
+namespace axisc::motion::corner_passage_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -120,4 +120,4 @@ TEST_CASE("each plane has its own passage; one axis is joined by one like it") {
   CHECK(*alone[0].slowed_by == 0);
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::corner_passage_test

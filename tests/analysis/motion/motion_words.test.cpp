@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::motion {
+namespace axisc::motion::motion_words_test {
 namespace {
 
 struct Blocks final : PathListener {
@@ -321,4 +321,4 @@ TEST_CASE("motion words: the table names each word once, and finds it however it
   CHECK(schema::find_motion_word("") == nullptr);
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::motion_words_test

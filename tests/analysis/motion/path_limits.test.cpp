@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace axisc::motion {
+namespace axisc::motion::path_limits_test {
 namespace {
 
 PathBlock line(PathDynamics const& dynamics, Point const& from, Point const& to, machine::Slope slope) {
@@ -77,4 +77,4 @@ TEST_CASE("a corner of 45 degrees has the velocities of the specification") {
   CHECK(corner(dynamics, {2e4, 1e4}, machine::Slope::trapez) == Approx(14.1421356));
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::path_limits_test

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <tuple>
 
-namespace axisc::motion {
+namespace axisc::motion::planned_readings_test {
 namespace {
 
 using machine::Slope;
@@ -385,4 +385,4 @@ TEST_CASE("weights of curves follow those of corners, or the other way round") {
   CHECK(corner(machine::CornerReading::per_cycle, 100, 100) == Approx(0.2));
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::planned_readings_test

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::motion {
+namespace axisc::motion::program_flow_test {
 namespace {
 
 /// Where a program goes along X in mm, and what is wrong with it.
@@ -125,4 +125,4 @@ TEST_CASE("what cannot be decided or does not end is refused with its place") {
   CHECK(follow("P1=" + std::string(100, '[') + "1" + std::string(100, ']') + "\n").problems.size() == 1);
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::program_flow_test

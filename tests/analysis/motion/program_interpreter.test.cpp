@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::motion {
+namespace axisc::motion::program_interpreter_test {
 namespace {
 
 /// A program as the path it means, one line per motion or command.
@@ -146,4 +146,4 @@ TEST_CASE("a motion needs a feed, a command sound keywords") {
   CHECK(interpret("G00 X1e300\n").problems.size() == 1);
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::program_interpreter_test

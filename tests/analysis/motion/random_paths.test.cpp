@@ -11,7 +11,7 @@
 #include <random>
 #include <variant>
 
-namespace axisc::motion {
+namespace axisc::motion::random_paths_test {
 namespace {
 
 using machine::Slope;
@@ -221,4 +221,4 @@ TEST_CASE("random paths keep every limit") {
   for (unsigned seed = 1; all.blocks < wanted_blocks(); ++seed) check_path(seed, all);
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::random_paths_test

@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace axisc::motion {
+namespace axisc::motion::reference_plans_test {
 namespace {
 
 using nlohmann::json;
@@ -290,4 +290,4 @@ TEST_CASE("plans of an independent program") {
   }
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::reference_plans_test

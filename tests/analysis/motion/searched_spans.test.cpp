@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace axisc::motion {
+namespace axisc::motion::searched_spans_test {
 namespace {
 
 constexpr double before = 100;
@@ -69,4 +69,4 @@ TEST_CASE("a search that begins and ends within a steady stretch looks at its en
   for (auto const& part : parts) CHECK(part.phase == 0.25);
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::searched_spans_test

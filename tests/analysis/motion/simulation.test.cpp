@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::motion {
+namespace axisc::motion::simulation_test {
 namespace {
 
 using test::channel_of;
@@ -335,4 +335,4 @@ TEST_CASE("a least velocity through corners says how far it exceeds the axes' st
   }
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::simulation_test

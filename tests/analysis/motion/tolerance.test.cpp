@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::motion {
+namespace axisc::motion::tolerance_test {
 namespace {
 
 using design::KernelSpecification;
@@ -399,4 +399,4 @@ TEST_CASE("a pass says that it exceeds its tolerance where the machine does not 
   CHECK_FALSE(recorded.passes[0].keeps_tolerance());
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::tolerance_test

@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::motion {
+namespace axisc::motion::tolerance_programs_test {
 namespace {
 
 using design::FilterSpecification;
@@ -297,4 +297,4 @@ TEST_CASE("a thousand random programs keep the tolerance", "[.][long]") {
   check_all(setting("AXISC_TOLERANCE_SEED", 1000), setting("AXISC_TOLERANCE_PROGRAMS", 1000));
 }
 
-}  // namespace axisc::motion
+}  // namespace axisc::motion::tolerance_programs_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace axisc::recordings {
+namespace axisc::recordings::cycles_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -126,4 +126,4 @@ TEST_CASE("clocks that run apart are refused") {
 }
 
 }  // namespace
-}  // namespace axisc::recordings
+}  // namespace axisc::recordings::cycles_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-namespace axisc::recordings {
+namespace axisc::recordings::decimal_number_test {
 namespace {
 
 TEST_CASE("a number is the nearest double, with either mark") {
@@ -51,4 +51,4 @@ TEST_CASE("what is not a number") {
 }
 
 }  // namespace
-}  // namespace axisc::recordings
+}  // namespace axisc::recordings::decimal_number_test

@@ -3,7 +3,7 @@
 #include "analysis/recordings/scaling.hpp"
 #include "support/catch.hpp"
 
-namespace axisc::recordings {
+namespace axisc::recordings::objects_test {
 namespace {
 
 Channel object(std::uint64_t port, std::uint64_t group, std::uint64_t offset) {
@@ -79,4 +79,4 @@ TEST_CASE("units of headers") {
 }
 
 }  // namespace
-}  // namespace axisc::recordings
+}  // namespace axisc::recordings::objects_test

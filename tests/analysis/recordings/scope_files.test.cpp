@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-namespace axisc::recordings {
+namespace axisc::recordings::scope_files_test {
 namespace {
 
 using Samples = std::vector<std::pair<double, double>>;
@@ -78,4 +78,4 @@ TEST_CASE("all forms of a genuine recording are the same") {
 }
 
 }  // namespace
-}  // namespace axisc::recordings
+}  // namespace axisc::recordings::scope_files_test

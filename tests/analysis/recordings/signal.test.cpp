@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace axisc::recordings {
+namespace axisc::recordings::signal_test {
 namespace {
 
 TEST_CASE("a packed signal has the values that were pushed") {
@@ -33,4 +33,4 @@ TEST_CASE("a packed signal has the values that were pushed") {
 }
 
 }  // namespace
-}  // namespace axisc::recordings
+}  // namespace axisc::recordings::signal_test

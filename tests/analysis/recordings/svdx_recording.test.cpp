@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace axisc::recordings {
+namespace axisc::recordings::svdx_recording_test {
 namespace {
 
 using test::svdx_file;
@@ -189,4 +189,4 @@ TEST_CASE("the bytes decide about the form") {
 }
 
 }  // namespace
-}  // namespace axisc::recordings
+}  // namespace axisc::recordings::svdx_recording_test

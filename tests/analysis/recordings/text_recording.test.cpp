@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace axisc::recordings {
+namespace axisc::recordings::text_recording_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -279,4 +279,4 @@ TEST_CASE("a text is the same whatever pieces it arrives in") {
 }
 
 }  // namespace
-}  // namespace axisc::recordings
+}  // namespace axisc::recordings::text_recording_test

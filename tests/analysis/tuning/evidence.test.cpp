@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-namespace axisc::tuning {
+namespace axisc::tuning::evidence_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -255,4 +255,4 @@ TEST_CASE("recordings whose responses show different peaks are refused") {
   CHECK(different.disagreement->recordings == std::array<std::size_t, 2>{0, 1});
 }
 
-}  // namespace axisc::tuning
+}  // namespace axisc::tuning::evidence_test

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <set>
 
-namespace axisc::tuning {
+namespace axisc::tuning::guard_candidates_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -247,4 +247,4 @@ TEST_CASE("a guard becomes lines of a list, whatever other kernels the control h
   }
 }
 
-}  // namespace axisc::tuning
+}  // namespace axisc::tuning::guard_candidates_test

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace axisc::tuning {
+namespace axisc::tuning::identification_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -155,4 +155,4 @@ TEST_CASE("a frequency response and a spectrum carry frequency and damping") {
   CHECK(found.doubtful_frequency == Approx(48).epsilon(0.02));
 }
 
-}  // namespace axisc::tuning
+}  // namespace axisc::tuning::identification_test

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::tuning {
+namespace axisc::tuning::measurement_test {
 namespace {
 
 recordings::Recording recording(std::string const& bytes) {
@@ -96,4 +96,4 @@ TEST_CASE("a resonance of 48 Hz is found in a response and in signals") {
   CHECK(found.peaks[0].damping == Approx(0.03).epsilon(0.25));
 }
 
-}  // namespace axisc::tuning
+}  // namespace axisc::tuning::measurement_test

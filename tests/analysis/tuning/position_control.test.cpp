@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace axisc::tuning {
+namespace axisc::tuning::position_control_test {
 namespace {
 
 using machine::PositionControl;
@@ -303,4 +303,4 @@ TEST_CASE("Improved Position Control is written with all its parameters") {
         "INDIRECT 11,4 Hz, Ordnung 1, Güte 2, Dämpfung 0,8, Gewicht 1,75");
 }
 
-}  // namespace axisc::tuning
+}  // namespace axisc::tuning::position_control_test

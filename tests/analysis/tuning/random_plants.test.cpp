@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc {
+namespace axisc::random_plants_test {
 namespace {
 
 using tuning::Candidate;
@@ -151,4 +151,4 @@ TEST_CASE("suggestions keep their promise on five hundred machines", "[.][long]"
   }
 }
 
-}  // namespace axisc
+}  // namespace axisc::random_plants_test

@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+namespace rigid_model_test {
+
 using namespace axisc::tuning;
 
 namespace {
@@ -186,3 +188,5 @@ TEST_CASE("what recordings do not show is refused with its reason") {
     CHECK(model_of({.elastic = 0.5}).doubt == RigidDoubt::elastic);
   }
 }
+
+}  // namespace rigid_model_test

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::tuning {
+namespace axisc::tuning::shapers_test {
 namespace {
 
 struct Impulse {
@@ -109,4 +109,4 @@ TEST_CASE("the page on suggestions compares with classic shapers at an equal del
   test::check_golden("docs/suggest.md", page);
 }
 
-}  // namespace axisc::tuning
+}  // namespace axisc::tuning::shapers_test

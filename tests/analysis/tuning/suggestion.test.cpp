@@ -13,7 +13,7 @@
 #include <complex>
 #include <numbers>
 
-namespace axisc::tuning {
+namespace axisc::tuning::suggestion_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -414,4 +414,4 @@ TEST_CASE("a chain becomes lines of a list") {
   CHECK(lines[5] == ListLine{"filter[1].enable", "1"});
 }
 
-}  // namespace axisc::tuning
+}  // namespace axisc::tuning::suggestion_test

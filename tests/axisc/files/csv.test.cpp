@@ -11,6 +11,8 @@
 
 #include <rapidcheck.h>
 
+namespace csv_test {
+
 using namespace axisc;
 using namespace axisc;
 
@@ -106,3 +108,5 @@ TEST_CASE("names with separators are quoted") {
   append_csv_name(line, "\"");
   CHECK(line == "X\"a,b\"\"\"\"\"");
 }
+
+}  // namespace csv_test

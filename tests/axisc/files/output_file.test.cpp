@@ -9,6 +9,8 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
+namespace output_file_test {
+
 using namespace axisc;
 using namespace axisc;
 namespace fs = std::filesystem;
@@ -171,3 +173,5 @@ TEST_CASE("what cannot be written is said in one sentence") {
     CHECK(folder.read("file") == "x");
   }
 }
+
+}  // namespace output_file_test

@@ -12,6 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace answer_schemas_test {
+
 using namespace axisc::test;
 using nlohmann::json;
 namespace fs = std::filesystem;
@@ -146,3 +148,5 @@ TEST_CASE("the schemas of answers refuse what is not in them") {
   check_strict({"compare", "samples/recording/motion", "samples/recording/motion/scope.csv", "--program",
                 "samples/recording/motion/tell.nc"});
 }
+
+}  // namespace answer_schemas_test

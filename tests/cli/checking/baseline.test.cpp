@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace baseline_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -205,3 +207,5 @@ TEST_CASE("SARIF tells what was assumed as a notification of the tool") {
   CHECK(notice["associatedRule"]["id"] == "AX9006");
   CHECK(notice["level"] == "note");
 }
+
+}  // namespace baseline_test

@@ -15,6 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace changed_since_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -247,3 +249,5 @@ TEST_CASE("what a machine is made of is known without checking it") {
   }
   CHECK(machines > 5);
 }
+
+}  // namespace changed_since_test

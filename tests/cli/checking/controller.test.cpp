@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace controller_test {
+
 using namespace axisc::test;
 namespace fs = std::filesystem;
 
@@ -235,3 +237,5 @@ TEST_CASE("a limit that another parameter of a list of another kind gives") {
   CHECK(outcome.out.find("wz.lis:2:14") != std::string::npos);
   CHECK(outcome.out.find("1 file: 1 warning\n") != std::string::npos);
 }
+
+}  // namespace controller_test

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace fix_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -180,3 +182,5 @@ TEST_CASE("lines that a fix adds have the line ends of their list") {
   CHECK(folder.read("y.lis") ==
         "kopf.achs_nr 2\r\nfilter_fir.enable 1\r\nfilter_fir.type 4\r\nfilter_fir.order 10\r\nEnde\r\n");
 }
+
+}  // namespace fix_test

@@ -2,6 +2,8 @@
 #include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace fmt_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -73,3 +75,5 @@ TEST_CASE("fmt reads the text of a file with a name from standard input") {
   CHECK_THAT(patch.out, Catch::Matchers::StartsWith("--- axes/x.lis"));
   CHECK(run_axisc({"fmt", "-", "--stdin-filename", "axes/x.nc"}, there).out == there.input);
 }
+
+}  // namespace fmt_test

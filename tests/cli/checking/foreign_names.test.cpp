@@ -6,6 +6,8 @@
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace foreign_names_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -115,3 +117,5 @@ TEST_CASE("workflow commands hold no control characters", "[posix]") {
   CHECK(outcome.status == 1);
   CHECK(is_harmless(outcome.out));
 }
+
+}  // namespace foreign_names_test

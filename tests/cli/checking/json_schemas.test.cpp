@@ -19,6 +19,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace json_schemas_test {
+
 using namespace axisc::test;
 using axisc::configuration::JsonShape;
 using Json = nlohmann::ordered_json;
@@ -262,3 +264,5 @@ TEST_CASE("what is nearly right is refused by both") {
   refused(3, R"({"version": 1, "parameters": [{"name": "a", "axis_types": ["T", "T"]}]})");
   refused(3, R"({"version": 1, "parameters": [{"name": "a", "symbols": {"low": 1}}]})");
 }
+
+}  // namespace json_schemas_test

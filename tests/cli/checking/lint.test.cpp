@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace lint_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -365,3 +367,5 @@ TEST_CASE("a named list is judged in the machine that reads it") {
     CHECK(folder.read("lists/y.lis") == "kopf.achs_nr 2\nfilter[0].order 1,0\n");
   }
 }
+
+}  // namespace lint_test

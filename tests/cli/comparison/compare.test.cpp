@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace compare_test {
+
 using namespace axisc::test;
 using nlohmann::json;
 
@@ -190,3 +192,5 @@ TEST_CASE("numbers that are no positions are refused") {
   CHECK_THAT(outcome.err,
              Catch::Matchers::Contains("scope.csv:2: 1e+305 in column \"setpoint\" is too large"));
 }
+
+}  // namespace compare_test

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace compare_motion_test {
+
 using namespace axisc::test;
 using nlohmann::json;
 
@@ -275,3 +277,5 @@ TEST_CASE("recordings and programs that cannot be compared are refused with what
     CHECK_THAT(group.err, Catch::Matchers::Contains("--axis names the axis"));
   }
 }
+
+}  // namespace compare_motion_test

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace diff_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -126,3 +128,5 @@ TEST_CASE("a symbol without a number means the same in any letter case") {
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Catch::Matchers::Contains("mean the same"));
 }
+
+}  // namespace diff_test

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace diff_dynamics_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 using nlohmann::json;
@@ -121,3 +123,5 @@ TEST_CASE("diff: lists without a channel list are compared with the control's de
   CHECK_THAT(outcome.out, Contains("100 mm mit F6000, Slope STEP (Standardwert)") && Contains("1,05 s") &&
                               Contains("1,1 s"));
 }
+
+}  // namespace diff_dynamics_test

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace diff_machines_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -376,3 +378,5 @@ TEST_CASE("what differs in one axis is told alike among many and alone") {
     CHECK(all[i] == alone[0]);
   }
 }
+
+}  // namespace diff_machines_test

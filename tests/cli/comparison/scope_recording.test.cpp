@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace scope_recording_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 using nlohmann::json;
@@ -287,3 +289,5 @@ TEST_CASE("a template records what compare needs, and its objects are recognised
   CHECK(axis.channels[0].channel.index_offset == 0x70002U);
   CHECK(axis.channels[2].channel.index_offset == 0x7000DU);
 }
+
+}  // namespace scope_recording_test

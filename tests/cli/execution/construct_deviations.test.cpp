@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+namespace construct_deviations_test {
+
 using namespace axisc::test;
 using std::numbers::pi;
 using std::numbers::sqrt2;
@@ -91,3 +93,5 @@ TEST_CASE("constructs: stops and dwells") {
   double const moving = 2.002 + 1.001 + 1.001 + 2.002 + 1.001 + 1.001;
   CHECK(found["passes"][0]["time_s"].get<double>() == Approx(moving + 4 * 0.04 + 0.5 + 0.25));
 }
+
+}  // namespace construct_deviations_test

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+namespace construct_refusals_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -54,3 +56,5 @@ TEST_CASE("constructs: words of other controls and motions that are not planned 
   check_refused("foreign.nc", {"`G64`", "`G193`", "`G293`", "`G13`", "`G61`", "`G261`", "`#CONTOUR`",
                                "`G116`", "`#DYNAMIC`", "`F700`"});
 }
+
+}  // namespace construct_refusals_test

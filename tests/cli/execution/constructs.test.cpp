@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace constructs_test {
+
 using namespace axisc::test;
 using std::numbers::pi;
 using std::numbers::sqrt2;
@@ -94,3 +96,5 @@ TEST_CASE("constructs: slopes") {
                                                  {"N80", 4 * std::cbrt(0.5 / (2 * 10000 / 0.05))},
                                                  {"N100", 2 * std::sqrt(0.5 / 10000)}});
 }
+
+}  // namespace constructs_test

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace contour_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -240,3 +242,5 @@ TEST_CASE("a channel deviates as in a machine that has no other channel") {
   write(axis("Z", "z.lis") + ", " + axis("C", "x.lis"), lathe);
   CHECK(contour(there, {"--group", "lathe", "--order", "10"}) == both_lathe);
 }
+
+}  // namespace contour_test

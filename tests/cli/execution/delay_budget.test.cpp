@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace delay_budget_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -214,3 +216,5 @@ TEST_CASE("the picture of delays stacks what lies behind the filters") {
                           Catch::Matchers::Contains("P-AXIS-00165") &&
                           Catch::Matchers::Contains("in the drive"));
 }
+
+}  // namespace delay_budget_test

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace dynamics_parameters_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -176,3 +178,5 @@ TEST_CASE("each parameter of the dynamics changes how long a program takes") {
     CHECK((test.becomes == longer ? after > before + 1e-6 : after < before - 1e-6));
   }
 }
+
+}  // namespace dynamics_parameters_test

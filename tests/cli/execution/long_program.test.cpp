@@ -9,6 +9,8 @@
 #include <fstream>
 #include <string>
 
+namespace long_program_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -44,3 +46,5 @@ TEST_CASE("a program of 100 MB needs no more memory than one of 1 MB") {
     CHECK(peak_of(100 * megabyte, words) < small + 16 * megabyte);
   }
 }
+
+}  // namespace long_program_test

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace motion_words_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -229,3 +231,5 @@ TEST_CASE(
   folder.write("alone.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]})");
   CHECK_THAT(simulate("alone.json").out, Catch::Matchers::Contains("as no channel list is named"));
 }
+
+}  // namespace motion_words_test

@@ -4,6 +4,8 @@
 #include "presentation/writers.hpp"
 #include "support/catch.hpp"
 
+namespace not_kept_test {
+
 using namespace axisc;
 using Catch::Matchers::Contains;
 
@@ -49,3 +51,5 @@ TEST_CASE("a pass beyond its tolerance is marked in every format, and said with 
   CHECK_THAT(summary_of(pass, Format::text), !Contains("not kept"));
   CHECK_THAT(summary_of(pass, Format::json), Contains("\"tolerance_kept\": true"));
 }
+
+}  // namespace not_kept_test

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+namespace replay_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -141,3 +143,5 @@ TEST_CASE("a status that is none makes a damaged recording") {
   sign_again(same);
   CHECK(same == recording);
 }
+
+}  // namespace replay_test

@@ -3,6 +3,8 @@
 #include "presentation/writers.hpp"
 #include "support/catch.hpp"
 
+namespace replay_events_test {
+
 using namespace axisc;
 
 namespace {
@@ -52,3 +54,5 @@ TEST_CASE("resets to the same position in consecutive cycles are one event of a 
         "0,1,X,reset to 5,AXISRT_OK\n"
         "2,2,X,reset to 6,AXISRT_OK\n");
 }
+
+}  // namespace replay_events_test

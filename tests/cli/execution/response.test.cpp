@@ -3,6 +3,8 @@
 #include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace response_test {
+
 using namespace axisc::test;
 
 TEST_CASE("a frequency response as CSV and JSON", "[digits]") {
@@ -67,3 +69,5 @@ TEST_CASE("what response refuses") {
   CHECK_THAT(run_axisc({"response", "m.axim", "--axis", "y"}, there).err,
              Catch::Matchers::Contains("there is no axis \"y\"; did you mean Y? The axes are X, Y"));
 }
+
+}  // namespace response_test

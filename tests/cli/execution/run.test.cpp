@@ -3,6 +3,8 @@
 #include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace run_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -157,3 +159,5 @@ TEST_CASE("rows begin with the time where asked for, and text is aligned with fo
   CHECK(run_axisc({"run", "x.axim", "--format", "text", "--cycles", "1"}, there).out ==
         "Long_axis_name\n0.3333\n");
 }
+
+}  // namespace run_test

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace simulate_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -247,3 +249,5 @@ TEST_CASE("progress is shown where it is wanted") {
   CHECK_THAT(outcome.err, Catch::Matchers::Contains("% of the program"));
   CHECK(run_axisc({"simulate", "m.json", "--program", "p.nc"}, there).err.empty());
 }
+
+}  // namespace simulate_test

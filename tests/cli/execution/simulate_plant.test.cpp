@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace simulate_plant_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -144,3 +146,5 @@ TEST_CASE("mistakes of plant files and moves") {
   CHECK(slow.status == 2);
   CHECK_THAT(slow.err, Catch::Matchers::Contains("NC cycles"));
 }
+
+}  // namespace simulate_plant_test

@@ -3,11 +3,13 @@
 #include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace switching_test {
+
 using namespace axisc::test;
 
 namespace {
 
-Surroundings compiled(TemporaryFolder const& folder) {
+Surroundings compiled_with_switches(TemporaryFolder const& folder) {
   Surroundings const there = in_folder(folder.path());
   std::string const machine = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/switching/machine.json";
   auto const outcome = run_axisc({"compile", machine, "-o", "m.axim", "--quiet"}, there);
@@ -28,7 +30,7 @@ std::string line_from_end(std::string const& text, std::size_t back = 0) {
 
 TEST_CASE("kernels, channels and position control as text and JSON") {
   TemporaryFolder const folder;
-  auto const there = compiled(folder);
+  auto const there = compiled_with_switches(folder);
   for (std::string const language : {"en", "de"}) {
     check_golden("tests/cli/data/golden/inspect-switching." + language + ".text",
                  run_axisc({"inspect", "m.axim", "--lang", language}, there).out);
@@ -39,7 +41,7 @@ TEST_CASE("kernels, channels and position control as text and JSON") {
 
 TEST_CASE("a command at cycle 0 belongs to the start") {
   TemporaryFolder const folder;
-  auto const there = compiled(folder);
+  auto const there = compiled_with_switches(folder);
   std::vector<std::string> const ramp{"run", "m.axim", "--signal", "ramp:1000", "--cycles", "100"};
   auto const with = [&](std::string const& command) {
     auto arguments = ramp;
@@ -61,7 +63,7 @@ TEST_CASE("a command at cycle 0 belongs to the start") {
 
 TEST_CASE("a command in motion fades") {
   TemporaryFolder const folder;
-  auto const there = compiled(folder);
+  auto const there = compiled_with_switches(folder);
   auto const outcome = run_axisc({"run", "m.axim", "--signal", "ramp:1000", "--cycles", "2000", "--at",
                                   "100:#FILTER OFF", "--at", "1200:#FILTER ON"},
                                  there);
@@ -72,7 +74,7 @@ TEST_CASE("a command in motion fades") {
 
 TEST_CASE("what commands are refused") {
   TemporaryFolder const folder;
-  auto const there = compiled(folder);
+  auto const there = compiled_with_switches(folder);
   auto const check = [&](std::vector<std::string> const& commands, std::string const& expected) {
     std::vector<std::string> arguments{"run", "m.axim", "--signal", "ramp:1000"};
     for (auto const& command : commands) arguments.insert(arguments.end(), {"--at", command});
@@ -92,7 +94,7 @@ TEST_CASE("what commands are refused") {
 
 TEST_CASE("the response follows the commands") {
   TemporaryFolder const folder;
-  auto const there = compiled(folder);
+  auto const there = compiled_with_switches(folder);
   auto const at_50_hertz = [&](std::vector<std::string> const& more) {
     std::vector<std::string> arguments{"response", "m.axim", "--axis", "Z", "--frequencies", "0,50"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -104,7 +106,7 @@ TEST_CASE("the response follows the commands") {
 
 TEST_CASE("velocities become additive velocities and drive increments") {
   TemporaryFolder const folder;
-  auto const there = compiled(folder);
+  auto const there = compiled_with_switches(folder);
   auto const outcome = run_axisc({"run", "m.axim", "--port", "velocity", "--cycles", "2"}, there);
   CHECK_THAT(outcome.out, Catch::Matchers::StartsWith("X.v_add,X.increments\n-0.0491569"));
   // A measured velocity far beyond every limit: ±1000/1000 · 500000 µm/s, and 60/36 increments per µm/s.
@@ -114,3 +116,5 @@ TEST_CASE("velocities become additive velocities and drive increments") {
   CHECK_THAT(run_axisc({"response", "m.axim", "--axis", "Y", "--port", "velocity"}, there).err,
              Catch::Matchers::Contains("uses velocities"));
 }
+
+}  // namespace switching_test

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace vibration_guard_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -228,3 +230,5 @@ TEST_CASE("a guard that cannot be is said, in lists and in commands") {
   CHECK(unknown.status == 2);
   CHECK_THAT(unknown.err, Contains("Name `#VIB GUARD ON [MODE=3]` in filter_sets"));
 }
+
+}  // namespace vibration_guard_test

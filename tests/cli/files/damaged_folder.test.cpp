@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <set>
 
+namespace damaged_folder_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -214,3 +216,5 @@ TEST_CASE("a folder of which no image is made is not a success", "[damage]") {
   folder.write("d/ok.lis", "filter[0].enable 0\n");
   CHECK(run_axisc(compile, there).status == 0);
 }
+
+}  // namespace damaged_folder_test

@@ -3,6 +3,8 @@
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace deep_json_test {
+
 using namespace axisc::test;
 
 TEST_CASE("JSON that is nested too deep is refused in every file") {
@@ -30,3 +32,5 @@ TEST_CASE("JSON that is nested too deep is refused in every file") {
   folder.write("axisc.json", R"({"paths": )" + deep + "}");
   refused({"lint", "x.lis"}, limit);
 }
+
+}  // namespace deep_json_test

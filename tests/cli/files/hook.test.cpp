@@ -6,6 +6,8 @@
 #include <fstream>
 #include <regex>
 
+namespace hook_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -131,3 +133,5 @@ TEST_CASE("a list that begins with @ is a file for hooks and after --") {
   }
   CHECK(run_axisc({"compile", "--cycle-time", "1ms", "-o", "y.axim", "--", "@y.lis"}, there).status == 0);
 }
+
+}  // namespace hook_test

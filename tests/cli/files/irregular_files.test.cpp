@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace irregular_files_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -166,3 +168,5 @@ TEST_CASE("a limit on file sizes is an error like a full disk") {
   CHECK(folder.read("x.lis") == crooked);
   CHECK(folder.entries() == 1);
 }
+
+}  // namespace irregular_files_test

@@ -4,6 +4,8 @@
 #include "support/sanitized.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace memory_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -51,3 +53,5 @@ TEST_CASE("findings of one long list are printed as they come") {
     if (!keeps_what_is_freed) CHECK(many.peak_memory < few.peak_memory + mistakes * std::size_t{250});
   }
 }
+
+}  // namespace memory_test

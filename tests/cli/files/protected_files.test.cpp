@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <map>
 
+namespace protected_files_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -99,3 +101,5 @@ TEST_CASE("a name with a line break cannot be in a dependency file", "[posix]") 
   CHECK_FALSE(fs::exists(folder / "d"));
   CHECK_FALSE(fs::exists(folder / "o.axim"));
 }
+
+}  // namespace protected_files_test

@@ -2,6 +2,8 @@
 #include "cli/program.hpp"
 #include "support/temporary_folder.hpp"
 
+namespace response_file_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -89,3 +91,5 @@ TEST_CASE("what is wrong in a response file has a place") {
   lists.folder.write("@odd.lis", sound);
   CHECK(lists.lint({"./@odd.lis"}).status == 0);
 }
+
+}  // namespace response_file_test

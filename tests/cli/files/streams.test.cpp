@@ -4,6 +4,8 @@
 
 #include <sys/mount.h>
 
+namespace streams_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -67,3 +69,5 @@ TEST_CASE("a disk that fills up while a file is written") {
   CHECK(folder.read("small/out.csv") == "old");
   CHECK(std::distance(std::filesystem::directory_iterator(folder / "small"), {}) == 1);
 }
+
+}  // namespace streams_test

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace certify_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -128,3 +130,5 @@ TEST_CASE("--no-bounds leaves the section out, --strip keeps it") {
   CHECK_THAT(run_axisc({"inspect", "n.axim"}, there).out, Contains("proved bounds  none"));
   CHECK_THAT(run_axisc({"inspect", "m.axim"}, there).out, Contains("`axisc certify` checks them"));
 }
+
+}  // namespace certify_test

@@ -5,6 +5,8 @@
 
 #include <sys/stat.h>
 
+namespace compile_test {
+
 using namespace axisc::test;
 namespace fs = std::filesystem;
 
@@ -201,3 +203,5 @@ TEST_CASE("compile reports to code hosts on standard error") {
     if (format == "sarif") CHECK(sarif_complaints(outcome.err) == std::vector<std::string>{});
   }
 }
+
+}  // namespace compile_test

@@ -9,6 +9,8 @@
 #include <thread>
 #include <unistd.h>
 
+namespace compile_batch_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -211,3 +213,5 @@ TEST_CASE("an interrupted batch leaves whole files only") {
     }
   }
 }
+
+}  // namespace compile_batch_test

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <tuple>
 
+namespace export_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -200,3 +202,5 @@ TEST_CASE("a compiler that is missing is named, and the FMU is written without i
                  Contains("libraries: none"));
   CHECK(folder.read("mill.fmu").substr(0, 2) == "PK");
 }
+
+}  // namespace export_test

@@ -1,3 +1,4 @@
+#include "cli/compiled_machine.hpp"
 #include "cli/program.hpp"
 #include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
@@ -6,20 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
+namespace inspect_test {
+
 using namespace axisc::test;
 
 namespace {
 
 std::string const data = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/";
-
-/// The machine of the test data, compiled to m.axim in `folder`.
-Surroundings compiled(TemporaryFolder const& folder, std::vector<std::string> const& more = {}) {
-  Surroundings const there = in_folder(folder.path());
-  std::vector<std::string> arguments{"compile", data + "machine/machine.json", "-o", "m.axim", "--quiet"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  REQUIRE(run_axisc(arguments, there).status == 0);
-  return there;
-}
 
 }  // namespace
 
@@ -174,3 +168,5 @@ TEST_CASE("figures of chains that are known without computing them") {
   auto const delay = chain_of("filter_fir.enable 1\nfilter_fir.type 4\nfilter_fir.order 7\n");
   CHECK(delay["corner_frequency_hz"].is_null());
 }
+
+}  // namespace inspect_test

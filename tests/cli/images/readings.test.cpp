@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace readings_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -185,3 +187,5 @@ TEST_CASE("a recording with #FILTER commands is compared with what they make of 
   CHECK(hasty.status == 2);
   CHECK_THAT(hasty.err, Catch::Matchers::Contains("still changing over"));
 }
+
+}  // namespace readings_test

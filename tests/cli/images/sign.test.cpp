@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <sys/stat.h>
 
+namespace sign_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -146,3 +148,5 @@ TEST_CASE("a full disk leaves the old image and no half key") {
   CHECK_THAT(outcome.err, Contains("no space"));
   CHECK(run_axisc({"keygen", "no/such/folder/key"}, there).status == 2);
 }
+
+}  // namespace sign_test

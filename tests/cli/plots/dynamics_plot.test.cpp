@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace dynamics_plot_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -177,3 +179,5 @@ TEST_CASE("dynamics: bad values, and an image, are refused") {
   refused({sample, "--kind", "step", "--distance", "10"}, "--distance");
   refused({sample, "--kind", "dynamics", "--at", "0:#FILTER ON"}, "--at");
 }
+
+}  // namespace dynamics_plot_test

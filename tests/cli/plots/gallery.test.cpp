@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 
+namespace gallery_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -155,3 +157,5 @@ TEST_CASE("the gallery shows what the program draws from the samples", "[digits]
     CHECK(known.contains(entry.path().filename().string()));
   }
 }
+
+}  // namespace gallery_test

@@ -15,6 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace plot_test {
+
 using namespace axisc::test;
 using namespace axisc::pictures;
 using Catch::Matchers::Contains;
@@ -621,3 +623,5 @@ TEST_CASE("the delay is that with FIR filters on, as AX4011 compares it, and bes
   }
   CHECK_THAT(plot({"-o", "-"}), Contains("X 20 ms; Y 10 ms") && !Contains("start-up"));
 }
+
+}  // namespace plot_test

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace robustness_plot_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
@@ -158,3 +160,5 @@ TEST_CASE("robustness: approved pictures, in both languages and in the terminal"
     check_golden("tests/cli/data/golden/plots/robustness." + language + ".svg", run_axisc(words).out);
   }
 }
+
+}  // namespace robustness_plot_test

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace plant_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -153,3 +155,5 @@ TEST_CASE("suggest refuses plants that are not there") {
   CHECK(other.status == 2);
   CHECK(other.err.find("no plant for axis Y") != std::string::npos);
 }
+
+}  // namespace plant_test

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace suggest_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -389,3 +391,5 @@ TEST_CASE("the suggestions are drawn with the resonance marked") {
   CHECK(suggest(there, {"-o", "x.lis"}).status == 2);
   CHECK(suggest(there, {"-o", "machine.png"}).status == 2);
 }
+
+}  // namespace suggest_test

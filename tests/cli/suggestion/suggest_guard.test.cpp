@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace suggest_guard_test {
+
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 using nlohmann::json;
@@ -140,3 +142,5 @@ TEST_CASE("a control older than Vibration Guard is not suggested one") {
   folder.write("axisc.json", R"({"build": "V3.1.3070.0"})");
   for (auto const& alternative : suggested(there)["alternatives"]) CHECK_FALSE(alternative.contains("guard"));
 }
+
+}  // namespace suggest_guard_test

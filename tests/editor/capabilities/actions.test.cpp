@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace actions_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -144,3 +146,5 @@ TEST_CASE("a value with its unit is converted to the unit of the list") {
     CHECK(converted(text).empty());
   }
 }
+
+}  // namespace actions_test

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace completion_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -138,3 +140,5 @@ TEST_CASE("completions say what they mean when they are asked") {
       Conversation().open("/x.lis", text).ask_at("textDocument/completion", "/x.lis", 0, 11).results()[0];
   CHECK(item(plain, "order")["documentation"].is_string());
 }
+
+}  // namespace completion_test

@@ -2,6 +2,8 @@
 #include "support/catch.hpp"
 #include "support/conversation.hpp"
 
+namespace diagnostics_test {
+
 using namespace axisc::test;
 
 TEST_CASE("ignored text is marked as unnecessary") {
@@ -17,3 +19,5 @@ TEST_CASE("ignored text is marked as unnecessary") {
   }
   CHECK(found);
 }
+
+}  // namespace diagnostics_test

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace folding_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -27,3 +29,5 @@ TEST_CASE("comments fold, and so does what they head") {
                    Json({{"startLine", 7}, {"endLine", 8}, {"kind", "region"}})) == 1);
   CHECK(ranges.size() == 3);
 }
+
+}  // namespace folding_test

@@ -2,6 +2,8 @@
 #include "support/catch.hpp"
 #include "support/conversation.hpp"
 
+namespace formatting_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -33,3 +35,5 @@ TEST_CASE("a range is formatted as the whole list would be") {
   CHECK(edits[0]["newText"] == "filter[0].type   PT2");
   CHECK(edits[0]["range"]["start"] == Json({{"line", 1}, {"character", 0}}));
 }
+
+}  // namespace formatting_test

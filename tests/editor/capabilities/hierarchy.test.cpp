@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace hierarchy_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("an item of a document that was closed is refused") {
   CHECK(results[0]["error"]["code"] == -32602);
   CHECK(results[1]["error"]["code"] == -32602);
 }
+
+}  // namespace hierarchy_test

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace hints_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("hints show the jerk of a ramp time, and the value that counts instead
                      "2:43 = 50 ms, 30 m/s³", "3:42 = 5 ms, 10 ms counts (P-AXIS-00201), 150 m/s³",
                      "4:37 = 0 mm/s², as for accelerating: 1000 mm/s²", "5:43 = 50 ms"});
 }
+
+}  // namespace hints_test

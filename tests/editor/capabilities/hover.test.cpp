@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+namespace hover_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -201,3 +203,5 @@ TEST_CASE("hovering over what delays says its share, and what the axis comes to"
   contains(delay, "Its share: velocity feedforward 1.5 cycles (1.5 ms).");
   contains(hover_text("/x.lis", text, 2, 3), sums);
 }
+
+}  // namespace hover_test

@@ -2,6 +2,8 @@
 #include "folders.hpp"
 #include "support/catch.hpp"
 
+namespace lenses_test {
+
 using namespace axisc::test;
 
 TEST_CASE("a lens above a cascade says what it costs") {
@@ -88,3 +90,5 @@ TEST_CASE("a lens above feedforward says how far it leads") {
   CHECK(asked("textDocument/codeLens", "/x.lis", text + "vorsteuer.shift_time 0\n").empty());
   CHECK(asked("textDocument/codeLens", "/x.lis", text + "vorsteuer.default_active 0\n").empty());
 }
+
+}  // namespace lenses_test

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace navigation_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -121,3 +123,5 @@ TEST_CASE("an axis that a channel or a machine file names leads to its list") {
   auto const list = text_of(axis["uri"].get<std::string>().substr(std::string("file://").size()));
   CHECK(list.find("kopf.achs_nr") != std::string::npos);
 }
+
+}  // namespace navigation_test

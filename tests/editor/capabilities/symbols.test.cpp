@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace symbols_test {
+
 using namespace axisc::test;
 
 TEST_CASE("symbols are the families of a list") {
@@ -54,3 +56,5 @@ TEST_CASE("the workspace's symbols are lines that set what people look for") {
   CHECK(names("Kerbfiltr") == Names{"X: filter[1].type (Kerbfiltr)"});
   CHECK(names("Umkehrspiel").empty());
 }
+
+}  // namespace symbols_test

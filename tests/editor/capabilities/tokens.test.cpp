@@ -2,6 +2,8 @@
 #include "support/catch.hpp"
 #include "support/conversation.hpp"
 
+namespace tokens_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -34,3 +36,5 @@ TEST_CASE("tokens of text in several encodings count their units") {
   CHECK(data("utf-16")[12] == 3);
   CHECK(data("utf-32")[12] == 2);
 }
+
+}  // namespace tokens_test

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+namespace braille_test {
+
 using namespace axisc;
 using namespace axisc::pictures;
 using Catch::Matchers::Contains;
@@ -46,3 +48,5 @@ TEST_CASE("the terminal says that there is nothing to draw") {
   Figure const figure{.title = "none", .nothing = "no filter"};
   CHECK(braille(figure, 80, Language::english) == "none\nno filter\n");
 }
+
+}  // namespace braille_test

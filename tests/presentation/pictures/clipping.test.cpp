@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace clipping_test {
+
 using namespace axisc::pictures;
 
 namespace {
@@ -38,3 +40,5 @@ TEST_CASE("of a curve outside nothing is left, nor of one that is not finite") {
   CHECK(clipped({{.x = 1, .y = NAN}, {.x = 2, .y = 2}}, across, up).empty());
   CHECK(clipped({{.x = 1, .y = 1}}, across, up).empty());
 }
+
+}  // namespace clipping_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+namespace sampling_test {
+
 using namespace axisc::pictures;
 
 namespace {
@@ -60,3 +62,5 @@ TEST_CASE("jumps and gaps are bracketed closely") {
   CHECK(after->x - (after - 1)->x < 1e-3);
   CHECK(std::isnan(points.back().y));
 }
+
+}  // namespace sampling_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+namespace simplification_test {
+
 using namespace axisc::pictures;
 
 namespace {
@@ -55,3 +57,5 @@ TEST_CASE("interruptions stay, and a curve that turns back is left alone") {
   std::vector<Point> const turning{{.x = 0, .y = 0}, {.x = 1, .y = 0}, {.x = 0.5, .y = 0}, {.x = 2, .y = 0}};
   CHECK(simplified(turning, 0.05).size() == turning.size());
 }
+
+}  // namespace simplification_test

@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace svg_test {
+
 using namespace axisc;
 using namespace axisc::pictures;
 using Catch::Matchers::Contains;
@@ -69,3 +71,5 @@ TEST_CASE("a title that is too long ends in an ellipsis, between letters") {
     CHECK(cut.size() % 2 == 1);  // whole letters of two bytes, and the ellipsis of three
   }
 }
+
+}  // namespace svg_test

@@ -2,6 +2,8 @@
 
 #include "support/catch.hpp"
 
+namespace ticks_test {
+
 using namespace axisc;
 using namespace axisc::pictures;
 
@@ -28,3 +30,5 @@ TEST_CASE("numbers are written as the language does") {
   CHECK(number_text(-1234567, Language::german) == "-1\u202F234\u202F567");
   CHECK(number_text(1e-7, Language::german) == "1e-07");
 }
+
+}  // namespace ticks_test

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+namespace arithmetic_test {
+
 using namespace axisc::test;
 using axisc::runtime::bounds::BoundRecord;
 
@@ -149,3 +151,5 @@ TEST_CASE("a chain is exactly at rest after the cycles that its bound says", "[b
   for (std::uint64_t n = 0; n < bound.rest_cycles; ++n) runtime.step(x);
   for (int n = 0; n < 2000; ++n) REQUIRE(runtime.step(x) == x);
 }
+
+}  // namespace arithmetic_test

@@ -3,6 +3,8 @@
 #include "runtime/exact_filter.hpp"
 #include "runtime/test_runtime.hpp"
 
+namespace change_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -59,3 +61,5 @@ TEST_CASE("with bounds a change of images takes the distance of kernel and filte
   CHECK(joint < product);
   CHECK(joint > product / 4);
 }
+
+}  // namespace change_test

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace claims_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -228,3 +230,5 @@ TEST_CASE("setpoints within v are never implausible with bounds, and barely so j
     if (share == 1) CHECK(largest <= bound.gain_high * v * (1 + 1e-12));
   }
 }
+
+}  // namespace claims_test

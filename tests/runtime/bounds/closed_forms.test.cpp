@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+namespace closed_forms_test {
+
 using namespace axisc::test;
 using axisc::runtime::bounds::BoundRecord;
 
@@ -210,3 +212,5 @@ TEST_CASE("a filter that takes too long to follow has bounds that are true and s
   CHECK(bound.gain_high >= bound.gain_low);
   CHECK(bound.gain_high < 10);
 }
+
+}  // namespace closed_forms_test

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace long_run_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -148,3 +150,5 @@ TEST_CASE("errors do not gather in a billion cycles", "[.long][bounds]") {
   }
   run_long(filters, {1'000'000, 10'000'000, 100'000'000, 1'000'000'000});
 }
+
+}  // namespace long_run_test

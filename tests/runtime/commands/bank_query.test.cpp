@@ -3,6 +3,8 @@
 #include "support/catch.hpp"
 #include "tests/runtime/test_runtime.hpp"
 
+namespace bank_query_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -58,3 +60,5 @@ TEST_CASE("a command is busy for as many cycles as the runtime says") {
   CHECK(axisrt_busy_cycles(runtime.runtime, 99) == 0);
   CHECK(axisrt_busy_cycles(nullptr, 0) == 0);
 }
+
+}  // namespace bank_query_test

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace guard_command_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -109,3 +111,5 @@ TEST_CASE("a long guard answers a step with its impulses") {
     CHECK(runtime.step_all({0, 0, 100})[2] == Approx(expected).margin(1e-9));
   }
 }
+
+}  // namespace guard_command_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+namespace kernel_command_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -267,3 +269,5 @@ TEST_CASE("ORDER_TIME means a whole number of cycles") {
   CHECK(axisrt_order_of_time(nullptr, 20'000) == 0);
   CHECK(axisrt_order_of_time(runtime.runtime, 1e300) >= 201);
 }
+
+}  // namespace kernel_command_test

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace kernel_fade_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -152,3 +154,5 @@ TEST_CASE("when the axis stops during a fade, the output arrives and the fade st
   }
   CHECK(runtime.command(AXISRT_ACTION_OFF) == AXISRT_OK);
 }
+
+}  // namespace kernel_fade_test

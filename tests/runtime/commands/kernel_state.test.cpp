@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace kernel_state_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -125,3 +127,5 @@ TEST_CASE("a slot may execute no kernel at all") {
   CHECK(runtime.state().filters == 1);
   CHECK(runtime.state().filters_on == 0);
 }
+
+}  // namespace kernel_state_test

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+namespace status_test {
+
 namespace {
 
 constexpr axisrt_status all_statuses[] = {AXISRT_OK,
@@ -93,3 +95,5 @@ TEST_CASE("a number that is no status has a text, too") {
   CHECK(std::string(axisrt_status_text(static_cast<axisrt_status>(39))) == "Unknown status.");
   CHECK(std::string(axisrt_status_name(static_cast<axisrt_status>(39))) == "unknown");
 }
+
+}  // namespace status_test

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace accuracy_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -243,3 +245,5 @@ TEST_CASE("the accuracy bound holds for setpoints that no interpolator gives, at
     }
   }
 }
+
+}  // namespace accuracy_test

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+namespace axis_state_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -53,3 +55,5 @@ TEST_CASE("an axis without filters passes its setpoint on") {
   CHECK(state.filters_on == 0);
   CHECK(state.settled == 1);
 }
+
+}  // namespace axis_state_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+namespace error_bound_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("what cannot be told is said") {
   REQUIRE(runtime.command(AXISRT_ACTION_OFF) == AXISRT_OK);
   CHECK(axisrt_axis_error_bound(runtime.runtime, 0, 1, &bound) == AXISRT_BUSY);
 }
+
+}  // namespace error_bound_test

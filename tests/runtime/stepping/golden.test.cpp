@@ -9,6 +9,8 @@
 #include <iterator>
 #include <vector>
 
+namespace golden_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -66,3 +68,5 @@ TEST_CASE("golden images are verified, pass their self-tests and run") {
     }
   }
 }
+
+}  // namespace golden_test

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace kernel_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -241,3 +243,5 @@ TEST_CASE("the largest tails and setpoints stay finite") {
     }
   }
 }
+
+}  // namespace kernel_test

@@ -12,6 +12,8 @@
 #include <random>
 #include <vector>
 
+namespace lanes_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -222,3 +224,5 @@ TEST_CASE("an image with a shape for each of many axes is created as any other")
   }
   for (std::uint32_t i = 0; i < count; ++i) REQUIRE(arrived[i] == 2 + i % 100 + i / 100);
 }
+
+}  // namespace lanes_test

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+namespace position_control_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -217,3 +219,5 @@ TEST_CASE("bad arguments of the velocity side are refused") {
   CHECK(axisrt_reset_velocity(runtime.runtime, 0, 0, 0x1p54, 0) == AXISRT_BAD_INPUT);
   CHECK(axisrt_reset_velocity(runtime.runtime, 0, 0, 0, -HUGE_VAL) == AXISRT_BAD_INPUT);
 }
+
+}  // namespace position_control_test

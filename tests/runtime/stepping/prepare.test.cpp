@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace prepare_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -160,3 +162,5 @@ TEST_CASE("prepare leaves the memory of the runtime that works alone, and of its
   axisrt_recorder_stop(recorder);
   CHECK(axisrt_prepare(active.runtime, &config, 0, &prepared) == AXISRT_OK);
 }
+
+}  // namespace prepare_test

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+namespace rebase_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -84,3 +86,5 @@ TEST_CASE("rebase refuses what cannot be shifted, and changes nothing then") {
   CHECK(axisrt_rebase(runtime.runtime, 1, 1) == AXISRT_BAD_ARGUMENT);
   CHECK(runtime.step(0x1p52) == 0x1p52);
 }
+
+}  // namespace rebase_test

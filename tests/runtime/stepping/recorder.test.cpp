@@ -13,6 +13,8 @@
 #include <random>
 #include <vector>
 
+namespace recorder_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -569,3 +571,5 @@ TEST_CASE(
   CHECK(axisrt_restore(&config, dump.data(), size, &restored) == AXISRT_BAD_ARGUMENT);
   CHECK(restored == nullptr);
 }
+
+}  // namespace recorder_test

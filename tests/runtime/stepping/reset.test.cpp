@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+namespace reset_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -84,3 +86,5 @@ TEST_CASE("the additional interface is reset apart from the setpoint") {
   CHECK(out[1] == 2000);
   CHECK(runtime.state(1).filtered == 5);
 }
+
+}  // namespace reset_test

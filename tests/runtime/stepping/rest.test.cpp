@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+namespace rest_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("states decay to zero instead of ending among the subnormal numbers") 
     for (int i = 0; i < 1000; ++i) REQUIRE(runtime.step(0) == 0);
   }
 }
+
+}  // namespace rest_test

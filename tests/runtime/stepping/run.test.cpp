@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+namespace run_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -86,3 +88,5 @@ TEST_CASE("axisrt_run executes nothing where its arrays are not whole rows, or o
   CHECK(axisrt_run(runtime.runtime, values.data(), out.data(), 0, nullptr) == AXISRT_OK);
   CHECK(axisrt_run(runtime.runtime, values.data(), values.data() + 4, 4, bytes + 64) == AXISRT_OK);
 }
+
+}  // namespace run_test

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+namespace step_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -123,3 +125,5 @@ TEST_CASE("filters that share their coefficients have states of their own") {
   CHECK(out[0] < 100);
   CHECK(out[1] == 500);
 }
+
+}  // namespace step_test

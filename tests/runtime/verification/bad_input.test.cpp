@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+namespace bad_input_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -136,3 +138,5 @@ TEST_CASE("the wildest sections that verification accepts stay finite") {
     REQUIRE(all_finite(runtime.state()));
   }
 }
+
+}  // namespace bad_input_test

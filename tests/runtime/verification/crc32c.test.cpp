@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+namespace crc32c_test {
+
 namespace {
 
 std::vector<std::uint8_t> pattern(std::size_t size) {
@@ -53,3 +55,5 @@ TEST_CASE("CRC-32C of long inputs equals the bitwise definition") {
     }
   }
 }
+
+}  // namespace crc32c_test

@@ -4,6 +4,8 @@
 
 #include <string>
 
+namespace create_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -196,3 +198,5 @@ TEST_CASE("the automatic level is the best one of this processor") {
     CHECK(level == std::strtoul(expected, nullptr, 10));
   }
 }
+
+}  // namespace create_test

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace damaged_image_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -115,3 +117,5 @@ TEST_CASE("every bit flip with right checksums is refused or harmless") {
   }
   CHECK(accepted > 0);
 }
+
+}  // namespace damaged_image_test

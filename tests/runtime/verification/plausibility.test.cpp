@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace plausibility_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -125,3 +127,5 @@ TEST_CASE("an axis without a velocity limit is not judged") {
   CHECK(cycle.status[0] == AXISRT_OK);
   CHECK(cycle.status[1] == AXISRT_IMPLAUSIBLE);
 }
+
+}  // namespace plausibility_test

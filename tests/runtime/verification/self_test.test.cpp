@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace self_test_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -43,3 +45,5 @@ TEST_CASE("a wrong coefficient is found by the self-test") {
   q *= 1 + 0x1p-30;
   CHECK(TestRuntime(write_image(image)).status == AXISRT_SELF_TEST_FAILED);
 }
+
+}  // namespace self_test_test

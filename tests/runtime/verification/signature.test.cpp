@@ -8,6 +8,8 @@
 #include <cstring>
 #include <vector>
 
+namespace signature_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -16,7 +18,7 @@ constexpr std::size_t trailer_size = 80;
 constexpr std::uint64_t key = 0x1122334455667788;
 
 struct Judge {
-  std::uint64_t key = ::key;
+  std::uint64_t key = signature_test::key;
   unsigned calls = 0;
   std::size_t image_size = 0;
 };
@@ -180,3 +182,5 @@ TEST_CASE("what is no trailer, or one of another version, is refused behind an i
     CHECK(create(with_trailer(image, 2), used) == AXISRT_WRONG_VERSION);
   }
 }
+
+}  // namespace signature_test

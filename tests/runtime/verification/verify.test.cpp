@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace verify_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -209,3 +211,5 @@ TEST_CASE("a later minor version may have longer records and sections of new kin
   axisrt_reset(now.runtime, 0, 5);
   for (int i = 0; i < 50; ++i) REQUIRE(later.step(5.0 + i) == now.step(5.0 + i));
 }
+
+}  // namespace verify_test

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace verify_controls_test {
+
 using namespace axisc::test;
 
 namespace {
@@ -111,3 +113,5 @@ TEST_CASE("an image has stages only for its controls") {
                                      },
                                      AXISRT_OUT_OF_BOUNDS}});
 }
+
+}  // namespace verify_controls_test
