@@ -227,6 +227,13 @@ constexpr auto wrong_at_first = std::to_array<LookUp>({
     {"less acceleration", "getriebe[].dynamik.a_max"},
     {"less jerk", "jerk"},
     {"machine must be restarted", "restart"},
+    {"lead axis", "kenngr.multi_link[].lead_axis"},
+    {"achskollision abstand", "kenngr.coll_offset"},
+    {"Abstandsregelung Verstärkung", "kenngr.distc.kp"},
+    {"exact stop not reached", "getriebe[].position_settling_time"},
+    {"langsam referenzieren", "getriebe[].vb_reflow"},
+    {"HSC nicht erster Filter", "AX4001"},
+    {"notch bandwidth", "filter[].guete"},
 });
 
 }  // namespace
