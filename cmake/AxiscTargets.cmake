@@ -100,8 +100,8 @@ function(axisc_batches list)
   foreach(source IN LISTS ${list})
     cmake_path(SET path "${library}/${source}")
     cmake_path(GET path PARENT_PATH batch)
-    # Folders of rules have one source each.
-    string(REGEX REPLACE "/AX[0-9]+-[^/]*$" "/AX" batch "${batch}")
+    # Folders of rules have one source each: those of one subject come together, so that another moves few.
+    string(REGEX REPLACE "/(AX[0-9])[0-9]+-[^/]*$" "/\\1" batch "${batch}")
     string(MAKE_C_IDENTIFIER "${batch}" batch)
     math(EXPR part "0${size_${batch}} / 10 + 1")
     math(EXPR size_${batch} "0${size_${batch}} + 1")
