@@ -1,5 +1,6 @@
 // Arrows only point down: an include may name a folder only if the target of the including folder links it.
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -132,8 +133,7 @@ std::map<std::string, std::set<std::string>> target_graph() {
   for (auto const& [library, folder] : libraries) {
     fs::path const file = fs::path(AXISC_SOURCE_DIR) / folder / "CMakeLists.txt";
     if (!fs::exists(file)) continue;
-    std::ifstream in(file);
-    std::string const text((std::istreambuf_iterator<char>(in)), {});
+    auto const text = axisc::test::file_contents(file);
     auto& links = graph[library];
     links.insert(library);
     auto const depends = text.find("DEPENDS");
@@ -314,8 +314,7 @@ TEST_CASE("names become paths in system/path.hpp alone") {
   for (auto const& folder : tops_with_sources()) {
     if (folder == "system" || folder == "runtime") continue;
     for (auto const& source : sources_of(folder)) {
-      std::ifstream in(source);
-      std::string const text((std::istreambuf_iterator<char>(in)), {});
+      auto const text = axisc::test::file_contents(source);
       if (text.find("filesystem") == std::string::npos) continue;
       std::istringstream lines(text);
       for (std::string line; std::getline(lines, line);) {
@@ -345,8 +344,7 @@ TEST_CASE("Spirit lives in grammar/ and nowhere else") {
   // Sources that parse nothing would pay for its compile time through a header of grammar/.
   std::set<std::string> with_spirit;
   for (auto const& source : sources_of("grammar")) {
-    std::ifstream in(source);
-    std::string const text((std::istreambuf_iterator<char>(in)), {});
+    auto const text = axisc::test::file_contents(source);
     if (text.find("<boost/spirit") != std::string::npos)
       with_spirit.insert("grammar/" + source.filename().string());
   }

@@ -2,10 +2,10 @@
 #include "diagnostics/terminal.hpp"
 #include "diagnostics/utf8.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <regex>
 #include <string>
@@ -37,8 +37,7 @@ std::vector<Source> sources_of_the_program() {
     if (!folder.is_directory() || name == "build" || name == "tests" || name.starts_with('.')) continue;
     for (auto const& entry : fs::recursive_directory_iterator(folder.path())) {
       if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
-      std::ifstream in(entry.path(), std::ios::binary);
-      sources.push_back({entry.path(), std::string(std::istreambuf_iterator<char>(in), {})});
+      sources.push_back({entry.path(), test::file_contents(entry.path())});
     }
   }
   return sources;
@@ -146,11 +145,6 @@ std::size_t characters(std::string_view text) {
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
 }
 
-std::string read(fs::path const& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The texts of the project that people read, with the sources that hold sentences.
 std::vector<fs::path> readable_files() {
   std::vector<fs::path> files;
@@ -242,7 +236,7 @@ TEST_CASE("no text was read in one encoding and written in another") {
   auto const files = readable_files();
   CHECK(files.size() > 800);
   for (fs::path const& path : files) {
-    std::string const text = read(path);
+    std::string const text = test::file_contents(path);
     INFO(path);
     // How UTF-8 looks when it is read as windows-1252: each of its first bytes is one of these letters.
     for (std::string_view const letter : {"\u00C3", "\u00C2", "\u00E2\u20AC"}) {
@@ -262,10 +256,12 @@ TEST_CASE("German texts have decimal commas") {
     if (path.filename() != "de.md") continue;
     INFO(path);
     bool const is_help = path.parent_path().parent_path().filename() == "help";
-    CHECK(number_with_point(is_help ? without_examples(read(path)) : read(path)).empty());
+    CHECK(number_with_point(is_help ? without_examples(test::file_contents(path)) : test::file_contents(path))
+              .empty());
   }
   static std::regex const german(R"x("de": "([^"]*)")x");
-  std::string const descriptions = read(fs::path(AXISC_SOURCE_DIR) / "schema" / "axis-descriptions.json");
+  std::string const descriptions =
+      test::file_contents(fs::path(AXISC_SOURCE_DIR) / "schema" / "axis-descriptions.json");
   for (std::sregex_iterator found(descriptions.begin(), descriptions.end(), german);
        found != std::sregex_iterator(); ++found) {
     INFO(found->str(1));

@@ -2,10 +2,10 @@
 // point.
 #include "cli/program.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -66,11 +66,6 @@ std::vector<std::string> lines_with_points(std::string const& text) {
   return found;
 }
 
-std::string read(fs::path const& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 TEST_CASE("what a German number is") {
@@ -94,7 +89,7 @@ TEST_CASE("German outputs have decimal commas") {
     bool const is_of_lists = name == "lists.de.markdown";
     if (!is_german || is_data || is_of_lists || !entry.is_regular_file()) continue;
     ++files;
-    std::string const text = read(entry.path());
+    std::string const text = file_contents(entry.path());
     INFO(entry.path());
     CHECK(lines_with_points(name.ends_with(".svg") ? without_markup(text) : text) ==
           std::vector<std::string>());

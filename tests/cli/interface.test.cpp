@@ -2,6 +2,7 @@
 #include "axisc/axisc.h"
 #include "cli/program.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 #include "support/golden.hpp"
 #include "support/sarif_schema.hpp"
 #include "support/temporary_folder.hpp"
@@ -70,12 +71,6 @@ class Opened {
   int status;
 };
 
-std::string bytes_of(fs::path const& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 /// Without what the program alone says: its version, and fingerprints that count from a repository.
 Json findings_in(std::string const& json) {
   return json.empty() ? Json() : Json::parse(json).at("diagnostics");
@@ -132,14 +127,15 @@ TEST_CASE("axisc.h compiles the image that compile writes") {
     auto const bytes = opened.compile(path);
     CHECK(opened.status == AXISC_OK);
     REQUIRE(run_axisc({"compile", "-o", image, path}).status == 0);
-    CHECK(bytes == bytes_of(image));
+    CHECK(bytes == file_contents(image));
   }
   auto const mill = samples + "/mill";
   REQUIRE(
       run_axisc({"compile", "-o", image, mill, "--strip", "--no-bounds", "--image-version", "7"}).status ==
       0);
   Opened opened;
-  CHECK(opened.compile(mill, R"({"strip": "yes", "bounds": "no", "image_version": "7"})") == bytes_of(image));
+  CHECK(opened.compile(mill, R"({"strip": "yes", "bounds": "no", "image_version": "7"})") ==
+        file_contents(image));
   CHECK(opened.compile(mill, R"({"image_version": "-1"})").empty());
   CHECK(opened.status == AXISC_BAD_ARGUMENT);
 }
@@ -160,14 +156,14 @@ TEST_CASE("axisc.h repairs as lint --fix does, and writes nothing") {
   TemporaryFolder const folder;
   auto const list = folder / "typing.lis";
   fs::copy_file(samples + "/mistakes/typing.lis", list);
-  auto const before = bytes_of(list);
+  auto const before = file_contents(list);
   Opened opened;
   auto const report = opened.fix(list);
   CHECK(complaints(report, "fix").empty());
   auto const repaired = opened.call(axisc_read, list);
-  CHECK(bytes_of(list) == before);
+  CHECK(file_contents(list) == before);
   auto const lint = run_axisc({"lint", "--fix", list});
-  CHECK(repaired == bytes_of(list));
+  CHECK(repaired == file_contents(list));
   auto const parsed = Json::parse(report);
   CHECK(parsed.at("files") == Json::array({list}));
   CHECK_THAT(lint.out + lint.err, Catch::Matchers::Contains(parsed.at("fixed").dump() + " findings"));
@@ -202,7 +198,7 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
   TemporaryFolder const folder;
   auto const image = folder / "mill.axim";
   REQUIRE(run_axisc({"compile", "-o", image, mill}).status == 0);
-  auto const as_bytes = bytes_of(image);
+  auto const as_bytes = file_contents(image);
   for (auto const* const question : {"inspect", "response"}) {
     auto const wanted = run_axisc({question, image, "--axis", "X", "--format", "json"}).out;
     CHECK(ask({{"question", question}, {"input", image}, {"axis", "X"}, {"format", "json"}}) == wanted);
@@ -242,7 +238,7 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
     REQUIRE(run_axisc({"export", mill, "--to", "fmu" + version, "--binaries", "none", "-o", fmu}).status ==
             0);
     CHECK(ask({{"question", "fmu"}, {"input", mill + "/x.lis"}, {"version", version}, {"name", "mill"}}) ==
-          bytes_of(fmu));
+          file_contents(fmu));
   }
   CHECK(ask({{"question", "fmu"}, {"input", image}}).starts_with("PK"));
   for (auto const* const kind : {"response", "step", "delay", "corner", "circle"}) {
@@ -292,7 +288,7 @@ TEST_CASE("axisc.h answers about the circles of axes that are out of step") {
   folder.write("axisc.json", R"({"severity": {"AX4011": "error"}})");
   auto const machine = folder / "machine.json";
   Opened opened;
-  opened.put(folder / "y.lis", bytes_of(folder / "y.lis") + " ");
+  opened.put(folder / "y.lis", file_contents(folder / "y.lis") + " ");
   opened.call(axisc_answer, Json{{"question", "contour"}, {"input", machine}}.dump());
   CHECK(opened.status == AXISC_FINDINGS);
   Json const circle{{"question", "circle"}, {"input", machine}, {"feed", "1000"}, {"radius", "50"}};

@@ -1,10 +1,10 @@
 // The generator turns good data into tables and refuses bad data with a line that says what is wrong.
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 namespace generator_test {
@@ -15,11 +15,6 @@ std::filesystem::path working_folder() {
   auto folder = std::filesystem::path(AXISC_BINARY_DIR) / "test_schema_generator";
   std::filesystem::create_directories(folder);
   return folder;
-}
-
-std::string read(std::filesystem::path const& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 bool contains(std::string const& text, std::string const& part) {
@@ -58,7 +53,8 @@ Outcome generate(std::string const& data, std::string const& descriptions = any_
       (folder / "description_tables.inc").string() + "\" \"" + (folder / "kind_tables.inc").string() +
       "\" \"" + (folder / "lookup_tables.inc").string() + "\" 2> \"" + (folder / "message").string() + quote;
   bool const accepted = std::system(command.c_str()) == 0;  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
-  return {accepted, read(folder / "message"), read(folder / "tables.inc")};
+  return {accepted, axisc::test::file_contents(folder / "message"),
+          axisc::test::file_contents(folder / "tables.inc")};
 }
 
 std::string document(std::string const& rows) {

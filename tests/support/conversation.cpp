@@ -3,9 +3,9 @@
 #include "diagnostics/source_text.hpp"
 #include "editor/session.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 
 #include <cstdint>
-#include <fstream>
 #include <iterator>
 #include <utility>
 
@@ -16,8 +16,7 @@ std::string source_path(std::string const& path) {
 }
 
 std::string text_of(std::string const& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string const text((std::istreambuf_iterator<char>(file)), {});
+  auto const text = file_contents(path);
   SourceText const source(path, text);
   return source.utf8({source.text_begin(), static_cast<std::uint32_t>(text.size())});
 }

@@ -1,11 +1,11 @@
 #include "support/golden.hpp"
 
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace axisc::test {
 
@@ -15,10 +15,10 @@ bool update_golden() {
 }
 
 std::string read_source_file(std::string const& path_in_source_tree) {
-  std::ifstream file(std::filesystem::path(AXISC_SOURCE_DIR) / path_in_source_tree, std::ios::binary);
+  auto const path = std::filesystem::path(AXISC_SOURCE_DIR) / path_in_source_tree;
   INFO("reading " << path_in_source_tree);
-  REQUIRE(file.good());
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  REQUIRE(std::filesystem::is_regular_file(path));
+  return file_contents(path);
 }
 
 void check_golden(std::string const& path_in_source_tree, std::string_view actual) {

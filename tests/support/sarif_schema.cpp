@@ -1,11 +1,10 @@
 #include "support/sarif_schema.hpp"
 
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 #include "support/golden.hpp"
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -43,10 +42,7 @@ std::vector<std::string> sarif_complaints(std::string const& text) {
   validate(document, json_type::parse(read_source_file("tests/data/sarif/structure-2.1.0.schema.json")),
            complaints);
   if (char const* const published = std::getenv("AXISC_SARIF_SCHEMA")) {  // NOLINT(concurrency-mt-unsafe)
-    std::ifstream file(published, std::ios::binary);
-    REQUIRE(file.good());
-    std::string const schema(std::istreambuf_iterator<char>(file), {});
-    validate(document, json_type::parse(schema), complaints);
+    validate(document, json_type::parse(file_contents(published)), complaints);
   }
   return complaints;
 }

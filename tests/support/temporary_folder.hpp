@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -38,10 +39,7 @@ class TemporaryFolder {
     REQUIRE(file.good());
     return path.string();
   }
-  [[nodiscard]] std::string read(std::string_view name) const {
-    std::ifstream file(path_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
+  [[nodiscard]] std::string read(std::string_view name) const { return file_contents(path_ / name); }
   [[nodiscard]] std::size_t entries() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
   }

@@ -4,13 +4,13 @@
 #include "schema/catalogue.hpp"
 #include "schema/motion_words.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 #include "support/golden.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
@@ -141,12 +141,11 @@ TEST_CASE("the sections that rules cite are in the manuals") {
                                Manual{"position-control", "improved-position-control.de.txt"}};
   auto const folder = std::filesystem::path(AXISC_SOURCE_DIR) / "../shared/manuals";
   for (auto const& manual : manuals) {
-    std::ifstream file(folder / manual.file, std::ios::binary);
-    if (!file) {
+    auto const text = test::file_contents(folder / manual.file);
+    if (text.empty()) {
       WARN("the manuals are not there: " << folder.string());
       return;
     }
-    std::string const text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     for (Rule const& rule : rules()) {
       for (auto const source : facts(rule).sources) {
         if (!source.starts_with(std::string(manual.key) + " ")) continue;

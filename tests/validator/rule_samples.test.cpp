@@ -10,6 +10,7 @@
 // `--beside-start-up-list` say where the list was found.
 #include "diagnostics/message.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 #include "support/golden.hpp"
 #include "support/map_files.hpp"
 #include "validator/check.hpp"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -34,10 +34,9 @@ namespace fs = std::filesystem;
 constexpr char const* folder_of_rules = "validator/rules/";
 
 std::string read(fs::path const& path) {
-  std::ifstream file(path, std::ios::binary);
   INFO("reading " << path);
-  REQUIRE(file.good());
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  REQUIRE(fs::is_regular_file(path));
+  return test::file_contents(path);
 }
 
 validator::CheckOptions options_of(std::string const& text) {

@@ -2,6 +2,7 @@
 // channels.
 #include "analysis/recordings/recording_reader.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -17,10 +18,7 @@ using Samples = std::vector<std::pair<double, double>>;
 std::filesystem::path const folder = std::filesystem::path(AXISC_SOURCE_DIR) / "../shared/data/scope";
 
 Recording read(std::string const& name) {
-  std::ifstream file(folder / name, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  auto const text = bytes.str();
+  auto const text = test::file_contents(folder / name);
   auto found = read_recording(source_of(text));
   REQUIRE(std::holds_alternative<Recording>(found));
   return std::get<Recording>(std::move(found));

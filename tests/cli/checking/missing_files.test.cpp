@@ -1,6 +1,7 @@
 // No configuration passes of which a file is missing or damaged, whichever it is.
 #include "cli/program.hpp"
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
@@ -29,9 +30,7 @@ Contents contents_of(fs::path const& folder) {
   Contents contents;
   for (auto const& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    contents[entry.path().lexically_relative(folder).generic_string()] = {
-        std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    contents[entry.path().lexically_relative(folder).generic_string()] = file_contents(entry.path());
   }
   return contents;
 }

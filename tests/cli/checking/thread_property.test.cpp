@@ -1,5 +1,6 @@
 // The same findings and images for every number of threads.
 #include "cli/program.hpp"
+#include "support/file_contents.hpp"
 #include "support/random_lists.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -38,9 +39,7 @@ std::map<std::string, std::string> files_below(std::string const& folder) {
   if (!fs::exists(folder)) return files;
   for (auto const& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    files.emplace(fs::relative(entry.path(), folder).string(),
-                  std::string(std::istreambuf_iterator<char>(file), {}));
+    files.emplace(fs::relative(entry.path(), folder).string(), file_contents(entry.path()));
   }
   return files;
 }

@@ -2,11 +2,11 @@
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 #include "support/conversation.hpp"
+#include "support/file_contents.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 
@@ -170,9 +170,9 @@ TEST_CASE("a file has one verdict, whether it is named, in a commit, or an edito
     if (machine_of(path) != path) CHECK(found({path}) == expected);
     CHECK(of_file(committed, path) == of_file(expected, path));
     CHECK(of_file(listed, path) == of_file(expected, path));
-    std::ifstream in(path, std::ios::binary);
-    std::string const bytes((std::istreambuf_iterator<char>(in)), {});
-    if (machine_of(path) != path) CHECK(found({"-", "--stdin-filename", path}, bytes) == expected);
+    if (machine_of(path) != path) {
+      CHECK(found({"-", "--stdin-filename", path}, file_contents(path)) == expected);
+    }
   }
 }
 

@@ -1,13 +1,12 @@
 // axisrt_c is axisrt at level portable: no bit differs, whatever the image, the setpoints and the commands
 // are.
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 #include "tests/runtime/c99/motion.hpp"
 #include "tests/runtime/c99/random_image.hpp"
 #include "tests/runtime/c99/twins.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 using namespace axisc::test;
@@ -41,8 +40,8 @@ TEST_CASE("axisrt_c computes golden images bit for bit") {
   for (auto const& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".axim") continue;
     INFO(entry.path().filename().string());
-    std::ifstream file(entry.path(), std::ios::binary);
-    Twins twins(Bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
+    auto const image = file_contents(entry.path());
+    Twins twins(Bytes(image.begin(), image.end()));
     REQUIRE(twins.c.status == AXISRT_C_OK);
     Random random(1);
     move(random, twins, 3000);

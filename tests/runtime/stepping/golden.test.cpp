@@ -1,12 +1,11 @@
 // Golden images: every format version that was ever in use stays readable and executable.
 #include "support/catch.hpp"
+#include "support/file_contents.hpp"
 #include "tests/runtime/test_runtime.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace golden_test {
@@ -27,8 +26,8 @@ std::vector<std::filesystem::path> golden_images() {
 }
 
 Bytes read_file(std::filesystem::path const& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  auto const contents = file_contents(path);
+  return {contents.begin(), contents.end()};
 }
 
 std::vector<double> additive_velocities(TestRuntime& runtime, double v) {

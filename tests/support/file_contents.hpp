@@ -1,0 +1,21 @@
+// The bytes of a file.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace axisc::test {
+
+/// Block by block: byte by byte, what the longest tests read would take longer than to write it. Empty for a file that
+/// cannot be read.
+[[nodiscard]] inline std::string file_contents(std::filesystem::path const& path) {
+  std::ifstream const file(path, std::ios::binary);
+  std::ostringstream contents;
+  contents << file.rdbuf();
+  return std::move(contents).str();
+}
+
+}  // namespace axisc::test
