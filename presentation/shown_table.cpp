@@ -68,11 +68,12 @@ ShownTable shown_table(Table const& table, Language language, ForeignText foreig
     shown.headings.push_back(heading_of(column, unit, language, foreign));
     shown.is_right.push_back(is_column_of_numbers(table, i));
     shown.is_head.push_back(column.is_head);
-    auto const units = unit == Unit::none ? Units::shown : Units::in_heading;
+    auto const place_of_unit = unit == Unit::none ? Units::shown : Units::in_heading;
     for (std::size_t row = 0; row < rows; ++row) {
       auto const& value = table.rows[row][i];
       // In a row of many an empty place reads better than a dash.
-      shown.rows[row].push_back(value.is_blank() ? std::string() : text_of(value, language, units, foreign));
+      shown.rows[row].push_back(value.is_blank() ? std::string()
+                                                 : text_of(value, language, place_of_unit, foreign));
     }
   }
   return shown;

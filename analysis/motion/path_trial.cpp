@@ -185,15 +185,16 @@ void PathTrial::measured(MeasuredPoint const& point) {
 /// Where the nearest point of the filtered path jumps from one side of a corner to the other, the error has
 /// an edge.
 void PathTrial::look_between(MeasuredPoint const& point, Segment const& block, Sample const& a,
-                             Sample const& b, int halvings) {
-  if (halvings == 0 || std::max(a.error, b.error) < near_tolerance * *proves_ || !(a.along < b.along)) return;
+                             Sample const& b, int halvings_left) {
+  bool const is_near_enough = std::max(a.error, b.error) < near_tolerance * *proves_;
+  if (halvings_left == 0 || is_near_enough || !(a.along < b.along)) return;
   Sample middle{.along = (a.along + b.along) / 2};
   ContourPoint between = point.point;
   between.nominal = block.at(middle.along);
   middle.error = take(meter_.look(between));
   if (std::abs(middle.error - (a.error + b.error) / 2) <= straight_within * *proves_) return;
-  look_between(point, block, a, middle, halvings - 1);
-  look_between(point, block, middle, b, halvings - 1);
+  look_between(point, block, a, middle, halvings_left - 1);
+  look_between(point, block, middle, b, halvings_left - 1);
 }
 
 /// Counts a point to its corner.

@@ -90,7 +90,7 @@ class PathTrial final : private MeasuredSink {
   void measured(MeasuredPoint const& point) override;
   double take(MeasuredPoint const& point);
   void look_between(MeasuredPoint const& point, Segment const& block, Sample const& a, Sample const& b,
-                    int halvings);
+                    int halvings_left);
   [[nodiscard]] bool is_near(TriedCorner const& corner, double time) const;
 
   GroupRuntime* runtime_;

@@ -63,8 +63,8 @@ std::string escape_invisible(std::string json) {
 }
 
 std::string json_string(std::string_view text) {
-  using Json = nlohmann::json;
-  return escape_invisible(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+  return escape_invisible(
+      nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void JsonStream::key(std::string_view name) {

@@ -9,8 +9,8 @@
 
 namespace axisc::test {
 
-/// Block by block: byte by byte, what the longest tests read would take longer than to write it. Empty for a file that
-/// cannot be read.
+/// Block by block: byte by byte, what the longest tests read would take longer than to write it. Empty for a
+/// file that cannot be read.
 [[nodiscard]] inline std::string file_contents(std::filesystem::path const& path) {
   std::ifstream const file(path, std::ios::binary);
   std::ostringstream contents;
