@@ -43,7 +43,7 @@ function(axisc_compile_options target)
 endfunction()
 
 # Targets in which no run spends its time, because they word what others have computed: optimised for those who
-# wait for the compiler, they compile in two thirds of the time and are 2 % slower. Only for targets with
+# wait for the compiler, they compile in half the time and run 2 % slower. Only for targets with
 # precompiled headers of their own: g++ must not read those of another level.
 function(axisc_lightly_optimised target)
   if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
@@ -93,15 +93,17 @@ endfunction()
 
 # With AXISC_BATCHES the compiler reads up to ten sources of a folder at once, and instantiates once what they
 # share: more than half of what they cost one by one. `list` of sources becomes one of files that include them,
-# by paths that are the same in every checkout, as a compiler cache needs it (UNITY_BUILD has others).
+# by paths that are the same in every checkout, as a compiler cache needs it (UNITY_BUILD has others). A second
+# argument names the batches of sources that lie in several folders and are compiled together.
 function(axisc_batches list)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE library)
   set(batches "")
   foreach(source IN LISTS ${list})
     cmake_path(SET path "${library}/${source}")
     cmake_path(GET path PARENT_PATH batch)
-    # Folders of rules have one source each: those of one subject come together, so that another moves few.
-    string(REGEX REPLACE "/(AX[0-9])[0-9]+-[^/]*$" "/\\1" batch "${batch}")
+    if(ARGC GREATER 1)
+      set(batch "${ARGV1}")
+    endif()
     string(MAKE_C_IDENTIFIER "${batch}" batch)
     math(EXPR part "0${size_${batch}} / 10 + 1")
     math(EXPR size_${batch} "0${size_${batch}} + 1")

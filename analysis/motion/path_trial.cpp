@@ -186,8 +186,8 @@ void PathTrial::measured(MeasuredPoint const& point) {
 /// an edge.
 void PathTrial::look_between(MeasuredPoint const& point, Segment const& block, Sample const& a,
                              Sample const& b, int halvings_left) {
-  bool const is_near_enough = std::max(a.error, b.error) < near_tolerance * *proves_;
-  if (halvings_left == 0 || is_near_enough || !(a.along < b.along)) return;
+  bool const is_far_below = std::max(a.error, b.error) < near_tolerance * *proves_;
+  if (halvings_left == 0 || is_far_below || !(a.along < b.along)) return;
   Sample middle{.along = (a.along + b.along) / 2};
   ContourPoint between = point.point;
   between.nominal = block.at(middle.along);

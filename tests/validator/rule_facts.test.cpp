@@ -141,11 +141,11 @@ TEST_CASE("the sections that rules cite are in the manuals") {
                                Manual{"position-control", "improved-position-control.de.txt"}};
   auto const folder = std::filesystem::path(AXISC_SOURCE_DIR) / "../shared/manuals";
   for (auto const& manual : manuals) {
-    auto const text = test::file_contents(folder / manual.file);
-    if (text.empty()) {
+    if (!std::filesystem::exists(folder / manual.file)) {
       WARN("the manuals are not there: " << folder.string());
       return;
     }
+    auto const text = test::file_contents(folder / manual.file);
     for (Rule const& rule : rules()) {
       for (auto const source : facts(rule).sources) {
         if (!source.starts_with(std::string(manual.key) + " ")) continue;

@@ -33,12 +33,6 @@ namespace fs = std::filesystem;
 
 constexpr char const* folder_of_rules = "validator/rules/";
 
-std::string read(fs::path const& path) {
-  INFO("reading " << path);
-  REQUIRE(fs::is_regular_file(path));
-  return test::file_contents(path);
-}
-
 validator::CheckOptions options_of(std::string const& text) {
   validator::CheckOptions options;
   constexpr std::string_view mark = "# test:";
@@ -137,11 +131,11 @@ Sample read_sample(validator::Rule const& rule, std::string const& name) {
   if (fs::is_directory(base)) {
     input = fs::exists(base / "hochlauf.lis") ? "hochlauf.lis" : "machine.json";
     for (fs::directory_entry const& entry : fs::directory_iterator(base)) {
-      contents[entry.path().filename().string()] = read(entry.path());
+      contents[entry.path().filename().string()] = test::file_contents(entry.path());
     }
     options = options_of(contents[input == "machine.json" ? "x.lis" : input]);
   } else {
-    contents[input] = read(folder / input);
+    contents[input] = test::file_contents(folder / input);
     options = options_of(contents[input]);
   }
   return sample;
