@@ -44,7 +44,7 @@ endfunction()
 
 # Targets in which no run spends its time, because they word what others have computed: optimised for those who
 # wait for the compiler, they compile in half the time and run 2 % slower. Only for targets with
-# precompiled headers of their own: g++ must not read those of another level.
+# precompiled headers of their own, or of another such target: g++ must not read those of another level.
 function(axisc_lightly_optimised target)
   if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
@@ -123,11 +123,12 @@ endfunction()
 # axisc_library(grammar DEPENDS diagnostics PRIVATE_DEPENDS Boost::headers)
 # makes the target axisc_grammar of all sources in the folder and below it, except those under EXCEPT (paths
 # relative to the folder); SOURCES adds sources that the build writes. DEPENDS without "::" are folders of
-# this project. OF_PROGRAM: no part of libaxisc. HEADERS are included by nearly all of its sources: read once, together with the standard ones.
+# this project. OF_PROGRAM: no part of libaxisc. HEADERS are included by nearly all of its sources: read once,
+# together with the standard ones; HEADERS_OF: those that another library has read, which is compiled as this one is.
 # IN_BATCHES: names in unnamed namespaces and sentences differ within a folder, so that its sources may be
 # compiled together; those of the folders ALONE, and sources ALONE that have options of their own, are not.
 function(axisc_library folder)
-  cmake_parse_arguments(ARG "OF_PROGRAM;IN_BATCHES" "" "SOURCES;EXCEPT;ALONE;DEPENDS;PRIVATE_DEPENDS;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "OF_PROGRAM;IN_BATCHES" "HEADERS_OF" "SOURCES;EXCEPT;ALONE;DEPENDS;PRIVATE_DEPENDS;HEADERS" ${ARGN})
   set(target axisc_${folder})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp")
   foreach(except IN LISTS ARG_EXCEPT)
@@ -147,14 +148,16 @@ function(axisc_library folder)
   add_library(${target} STATIC ${sources} ${ARG_SOURCES})
   add_library(axisc::${folder} ALIAS ${target})
   axisc_compile_options(${target})
+  axisc_shareable(${target})
   if(NOT ARG_OF_PROGRAM)
-    axisc_shareable(${target})
     set_property(GLOBAL APPEND PROPERTY AXISC_LIBRARIES ${target})
   endif()
   if(ARG_HEADERS)
     # In angle brackets CMake leaves a path as it is: the same in every checkout.
     list(TRANSFORM ARG_HEADERS REPLACE "^([a-z_/]+[.]hpp)$" "<\\1>")
     target_precompile_headers(${target} PRIVATE ${AXISC_STANDARD_HEADERS} ${ARG_HEADERS})
+  elseif(ARG_HEADERS_OF)
+    target_precompile_headers(${target} REUSE_FROM axisc_${ARG_HEADERS_OF})
   else()
     target_precompile_headers(${target} REUSE_FROM axisc_standard_headers)
   endif()

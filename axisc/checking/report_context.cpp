@@ -1,5 +1,6 @@
 #include "axisc/checking/report_context.hpp"
 
+#include "axisc/environment/version.hpp"
 #include "axisc/files/repository.hpp"
 #include "system/path.hpp"
 #include "validator/engine/rule.hpp"
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 ReportContext report_context(std::string const& first_input) {
   ReportContext context;
-  context.version = AXISC_VERSION;
+  context.version = program_version();
   for (auto const& rule : validator::rules()) {
     context.rules.push_back({.code = rule.code,
                              .name = rule.name,

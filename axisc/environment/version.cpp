@@ -5,6 +5,10 @@
 
 namespace axisc {
 
+std::string_view program_version() {
+  return AXISC_VERSION;
+}
+
 std::string version_text() {
   std::string text = "axisc " AXISC_VERSION " (" AXISC_ORIGIN "; image format ";
   text.append(std::to_string(axim_major)).append(".").append(std::to_string(axim_minor));

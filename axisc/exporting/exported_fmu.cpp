@@ -1,5 +1,6 @@
 #include "axisc/exporting/exported_fmu.hpp"
 
+#include "axisc/environment/version.hpp"
 #include "image/fmu/zip_archive.hpp"
 #include "system/path.hpp"
 
@@ -18,7 +19,7 @@ namespace axisc {
 
 ExportedFmu exported_fmu(ImageFile const& image, image::FmuOptions options,
                          std::vector<image::FmuPlatform> const& platforms) {
-  options.tool = "axisc " AXISC_VERSION;
+  options.tool = "axisc " + std::string(program_version());
   auto made = image::fmu_of(image.bytes.bytes(), image.contents, options);
   if (auto const* const equal = std::get_if<image::EqualNames>(&made)) {
     throw Failure({says::equal_names, {{"name", equal->name}}});

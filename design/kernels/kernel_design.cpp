@@ -1,14 +1,11 @@
 #include "design/kernels/kernel_design.hpp"
 
-#include "design/kernels/kernel_design_def.hpp"
 #include "design/kernels/kernel_kinds.hpp"
 #include "design/kernels/vibration_guard_def.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 namespace axisc::design {
 namespace {
@@ -35,12 +32,6 @@ std::uint32_t novib_box(Hertz frequency, CycleTime cycle_time) {
 }
 
 }  // namespace
-
-KernelDesign design_kernel(KernelSpecification const& specification, CycleTime cycle_time) {
-  namespace multiprecision = boost::multiprecision;
-  using Exact = multiprecision::number<multiprecision::cpp_bin_float<50>, multiprecision::et_off>;
-  return design_kernel_in<Exact>(specification, cycle_time);
-}
 
 bool passes_unchanged(KernelSpecification const& specification) {
   KernelReading const reading = applied_reading(specification);

@@ -45,7 +45,8 @@ FoundMode found_mode(std::vector<Peak const*> const& peaks, Evidence evidence) {
                  .damping_uncertainty = best->damping_uncertainty,
                  .coherence = best->coherence,
                  .ratio = best->ratio,
-                 .evidence = {evidence}};
+                 .evidence = {evidence},
+                 .is_told_from_shaking = evidence != Evidence::spectrum};
   double weights = 0;
   double low = best->frequency, high = best->frequency;
   for (auto const* const peak : peaks) {
@@ -152,7 +153,8 @@ std::vector<FoundMode> modes_of(SpectralLines const& lines) {
   for (auto const& line : constant) {
     modes.push_back({.frequency = line.frequency,
                      .frequency_uncertainty = line.frequency_uncertainty,
-                     .evidence = {Evidence::lines}});
+                     .evidence = {Evidence::lines},
+                     .is_told_from_shaking = lines.were_rests_compared});
   }
   return modes;
 }
@@ -188,6 +190,7 @@ void merge(FoundMode& mode, FoundMode const& other) {
     mode.damping = other.damping;
     mode.damping_uncertainty = other.damping_uncertainty;
   }
+  mode.is_told_from_shaking |= other.is_told_from_shaking;
   mode.evidence.insert(mode.evidence.end(), other.evidence.begin(), other.evidence.end());
 }
 

@@ -26,6 +26,9 @@ struct FoundMode {
   std::optional<double> damping{}, damping_uncertainty{};
   std::optional<double> coherence{}, ratio{};  ///< of a response
   std::vector<Evidence> evidence{};            ///< in the order of the enumeration
+  /// Whether it is told from what shakes the axis at rest as well, a fan say. Lines tell where the axis rests
+  /// for twice shortest_piece.
+  bool is_told_from_shaking = true;
 };
 
 /// What two sources say about the resonance, where they do not agree.

@@ -151,13 +151,17 @@ bool is_of_mains(double frequency) {
   });
 }
 
+/// Both halves of the rest show lines.
+bool is_long(SteadySignal const& rest) {
+  return static_cast<double>(rest.values.size() / 2) >= shortest_piece * rest.sampling_rate;
+}
+
 /// Rests show the line too, and it does not die away there.
 bool is_at_rest(Match const& match, std::span<SteadySignal const> rests) {
   std::vector<double> shares, remainders;
   for (auto const& rest : rests) {
+    if (!is_long(rest)) continue;
     std::size_t const half = rest.values.size() / 2;
-    bool const is_long = static_cast<double>(half) >= shortest_piece * rest.sampling_rate;
-    if (!is_long) continue;
     auto const amplitude = [&](std::span<double const> part) {
       return motion::amplitude_at(part, 1 / rest.sampling_rate, match.mean());
     };
@@ -174,7 +178,9 @@ bool is_at_rest(Match const& match, std::span<SteadySignal const> rests) {
 
 SpectralLines spectral_lines(std::span<SteadySignal const> pieces, std::span<SteadySignal const> rests,
                              double lowest, double highest) {
-  SpectralLines found{.lines = {}, .doubt = LinesDoubt::few_pieces};
+  SpectralLines found{.lines = {},
+                      .doubt = LinesDoubt::few_pieces,
+                      .were_rests_compared = std::any_of(rests.begin(), rests.end(), is_long)};
   if (pieces.size() < fewest_pieces) return found;
   LineSearch const search(lines_in(pieces, lowest, highest));
   if (!search.has_speeds()) {

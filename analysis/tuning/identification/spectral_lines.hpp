@@ -39,6 +39,7 @@ enum class LinesDoubt : std::uint8_t {
 struct SpectralLines {
   std::vector<SpectralLine> lines;  ///< those of one kind by rising frequency
   std::optional<LinesDoubt> doubt;  ///< present where no line is constant
+  bool were_rests_compared = false;  ///< a rest was long enough to show what goes on there
 };
 
 /// Searches between two frequencies, by the thresholds of thresholds.hpp.

@@ -2,6 +2,7 @@
 
 #include "axisc/answers/certify/certified_axis.hpp"
 #include "axisc/answers/labels.hpp"
+#include "axisc/environment/version.hpp"
 #include "axisc/files/key_file.hpp"
 #include "codegen/source_digest.hpp"
 #include "image/signature.hpp"
@@ -63,8 +64,8 @@ Facts head(CertifyQuestion const& question, ImageFile const& file, image::Checke
            shown(says::signature, signed_by),
            data("compiler_version", file.contents.compiler_version),
            shown(labels::compiler, "axisc " + file.contents.compiler_version),
-           data("checker_version", AXISC_VERSION),
-           shown(says::checked_by, "axisc " AXISC_VERSION),
+           data("checker_version", std::string(program_version())),
+           shown(says::checked_by, "axisc " + std::string(program_version())),
            data("cycle_time_us", exact(file.contents.cycle_time.microseconds(), Unit::microsecond)),
            data("is_in_image", checked.is_in_image),
            data("verified", checked.is_in_image && checked.failures() == 0),

@@ -1,8 +1,10 @@
 #include "axisc/answers/execution/mapping_table.hpp"
 #include "axisc/answers/labels.hpp"
+#include "analysis/tuning/identification/thresholds.hpp"
 #include "axisc/answers/suggestion/measured_resonances.hpp"
 #include "diagnostics/format_number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -21,6 +23,11 @@ constexpr Sentence spectrum{
     "a spectrum does not show what made the peaks: a tooth or a spindle may have; two signals show it",
     "ein Spektrum zeigt nicht, woher die Spitzen kommen: auch ein Zahn oder eine Spindel kann es sein; zwei "
     "Signale zeigen es"};
+constexpr Sentence not_told_from_shaking{
+    "lines alone: a fan would look the same; the axis must rest for {seconds} s after a motion to show what "
+    "shakes it there as well",
+    "nur Linien: ein Lüfter sähe ebenso aus; was die Achse auch im Stillstand erregt, zeigen erst {seconds} s "
+    "Stillstand nach einer Bewegung"};
 constexpr Sentence not_a_resonance{"not a resonance", "keine Resonanz"};
 constexpr Sentence because{"because", "weil"};
 constexpr Sentence proportional{"once every {distance}: moves with the speed",
@@ -75,7 +82,8 @@ Table modes_table(std::vector<tuning::FoundMode> const& modes) {
                    column("coherence", says::coherence),
                    column("ratio", says::ratio),
                    {.key = {}, .label = says::evidence, .audience = Audience::people},
-                   data_column("evidence")},
+                   data_column("evidence"),
+                   data_column("told_from_shaking")},
                   modes, [](tuning::FoundMode const& mode) {
                     return Row{fixed(mode.frequency, Unit::hertz, 2),
                                fixed(mode.frequency_uncertainty, Unit::hertz, 2),
@@ -84,7 +92,8 @@ Table modes_table(std::vector<tuning::FoundMode> const& modes) {
                                quantity_or({}, mode.coherence, Unit::none, Digits::decimals(2)),
                                quantity_or({}, mode.ratio, Unit::none, Digits::decimals(1)),
                                words_of(mode.evidence),
-                               symbols_of(mode.evidence)};
+                               symbols_of(mode.evidence),
+                               mode.is_told_from_shaking};
                   });
 }
 
@@ -122,6 +131,14 @@ Table others_table(MeasuredResonances const& measured) {
 
 void add_measured(std::vector<Block>& blocks, MeasuredResonances const& measured) {
   blocks.emplace_back(modes_table(measured.found.modes));
+  auto const& modes = measured.found.modes;
+  bool const may_be_a_fan = std::any_of(modes.begin(), modes.end(), [](tuning::FoundMode const& mode) {
+    return !mode.is_told_from_shaking && mode.evidence.back() == tuning::Evidence::lines;
+  });
+  if (may_be_a_fan) {
+    blocks.emplace_back(Paragraph{
+        {says::not_told_from_shaking, {{"seconds", format_rounded(2 * tuning::shortest_piece, 2)}}}});
+  }
   if (measured.has_spectrum) blocks.emplace_back(Paragraph{says::spectrum});
   if (!measured.found.others.empty()) blocks.emplace_back(others_table(measured));
   if (measured.mapping.empty()) return;

@@ -29,16 +29,17 @@ struct Error {
   std::function<double(double t, double position)> moving = [](double, double) { return 0.0; };
 };
 
-/// There and back at `speed`, a second each way, with rests of half a second.
-Measurement travel(double speed, Error const& error, std::uint32_t seed, double noise, int ways = 4) {
+/// There and back at `speed`, a second each way, with rests of so many milliseconds.
+Measurement travel(double speed, Error const& error, std::uint32_t seed, double noise, int ways = 4,
+                   int rest = 500) {
   Random random(seed);
   Measurement made{.kind = MeasurementKind::signals, .response = {}, .sampling_rate = rate};
   double position = 0;
   double rested = 10;
-  for (int n = 0; n < 400 + 1500 * ways; ++n) {
-    int const place = (n - 400) % 1500;
+  for (int n = 0; n < 400 + (1000 + rest) * ways; ++n) {
+    int const place = (n - 400) % (1000 + rest);
     bool const moves = n >= 400 && place < 1000;
-    double const sign = (n - 400) / 1500 % 2 == 0 ? 1 : -1;
+    double const sign = (n - 400) / (1000 + rest) % 2 == 0 ? 1 : -1;
     if (moves) position += sign * speed / rate;
     rested = moves ? 0 : rested + 1 / rate;
     double const t = n / rate;
@@ -162,6 +163,7 @@ TEST_CASE("a line that keeps its frequency is a resonance; what moves with the s
   CHECK(search.modes[0].evidence == std::vector{Evidence::lines});
   CHECK(search.modes[0].frequency == Approx(59.3).epsilon(0.003));
   CHECK_FALSE(search.modes[0].damping);
+  CHECK(search.modes[0].is_told_from_shaking);
   REQUIRE(search.others.size() == 1);
   CHECK(search.others[0].kind == LineKind::proportional);
   CHECK(search.others[0].distance == Approx(2.5).epsilon(0.005));
@@ -188,6 +190,13 @@ TEST_CASE("lines that are no resonance are not taken for one") {
     CHECK(search.modes.empty());
     REQUIRE(search.others.size() == 1);
     CHECK(search.others[0].kind == LineKind::at_rest);
+  }
+  SECTION("a fan, where the rests are too short to tell") {
+    Error const fan{.at_rest = [](double t) { return 0.004 * sine(73.1, t); },
+                    .moving = [](double t, double) { return 0.004 * sine(73.1, t); }};
+    auto const search = found({travel(50, fan, 1, 1e-3, 4, 150), travel(30, fan, 2, 1e-3, 4, 150)});
+    REQUIRE(search.modes.size() == 1);
+    CHECK_FALSE(search.modes[0].is_told_from_shaking);
   }
   SECTION("harmonics that coincide: three times 50/2.5 Hz is five times 30/2.5 Hz") {
     auto const search = at_speeds({.moving = [](double, double position) {

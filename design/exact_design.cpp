@@ -1,5 +1,7 @@
+// Designs in 50 digits, in one source: the arithmetic costs the compiler more than the formulas.
 #include "design/filter_design_def.hpp"
 #include "design/filter_design_instances.hpp"
+#include "design/kernels/kernel_design_def.hpp"
 #include "design/oscillator_def.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -18,6 +20,10 @@ FilterDesign design_exact(FilterSpecification const& specification, CycleTime cy
 
 FilterDesign design_exact(OscillatorSpecification const& specification, CycleTime cycle_time) {
   return oscillator_in<Exact>(specification, cycle_time);
+}
+
+KernelDesign design_kernel(KernelSpecification const& specification, CycleTime cycle_time) {
+  return design_kernel_in<Exact>(specification, cycle_time);
 }
 
 }  // namespace axisc::design
