@@ -37,8 +37,8 @@ enum class LinesDoubt : std::uint8_t {
 };
 
 struct SpectralLines {
-  std::vector<SpectralLine> lines;  ///< those of one kind by rising frequency
-  std::optional<LinesDoubt> doubt;  ///< present where no line is constant
+  std::vector<SpectralLine> lines;   ///< those of one kind by rising frequency
+  std::optional<LinesDoubt> doubt;   ///< present where no line is constant
   bool were_rests_compared = false;  ///< a rest was long enough to show what goes on there
 };
 

@@ -1,6 +1,6 @@
+#include "analysis/tuning/identification/thresholds.hpp"
 #include "axisc/answers/execution/mapping_table.hpp"
 #include "axisc/answers/labels.hpp"
-#include "analysis/tuning/identification/thresholds.hpp"
 #include "axisc/answers/suggestion/measured_resonances.hpp"
 #include "diagnostics/format_number.hpp"
 
@@ -26,8 +26,8 @@ constexpr Sentence spectrum{
 constexpr Sentence not_told_from_shaking{
     "lines alone: a fan would look the same; the axis must rest for {seconds} s after a motion to show what "
     "shakes it there as well",
-    "nur Linien: ein Lüfter sähe ebenso aus; was die Achse auch im Stillstand erregt, zeigen erst {seconds} s "
-    "Stillstand nach einer Bewegung"};
+    "nur Linien: ein Lüfter sähe ebenso aus; was die Achse auch im Stillstand erregt, zeigen erst "
+    "{seconds} s Stillstand nach einer Bewegung"};
 constexpr Sentence not_a_resonance{"not a resonance", "keine Resonanz"};
 constexpr Sentence because{"because", "weil"};
 constexpr Sentence proportional{"once every {distance}: moves with the speed",
