@@ -117,15 +117,16 @@ template <typename Number>
 template <typename Number>
 [[nodiscard]] std::vector<Number> centred_taps(KernelSpecification const& guard, CycleTime cycle_time) {
   std::vector<Number> const amplitudes = guard_amplitudes<Number>(guard);
-  double const h = half_period_cycles<double>(guard, cycle_time);
+  auto const h = half_period_cycles<double>(guard, cycle_time);
   auto const c = static_cast<std::size_t>(std::ceil(h - on_a_cycle));
   auto const place = guard_place(KernelReading::documented, h, half_period_cycles<Number>(guard, cycle_time));
   std::vector<Number> taps(2 * c + 1, Number(0));
   taps[c] = amplitudes[1];
   for (std::size_t side : {c - place.cycle, c + place.cycle}) taps[side] += amplitudes[0] * (1 - place.next);
   if (place.next != 0) {
-    for (std::size_t side : {c - place.cycle - 1, c + place.cycle + 1})
+    for (std::size_t side : {c - place.cycle - 1, c + place.cycle + 1}) {
       taps[side] += amplitudes[0] * place.next;
+    }
   }
   return taps;
 }
@@ -143,16 +144,17 @@ template <typename Number>
   KernelReading const reading = applied_reading(guard);
   if (reading == KernelReading::guard_zero_placed) {
     auto const pair = zero_placed_pair<Number>(guard, cycle_time);
-    if (guard.order == symmetrical_guard)
+    if (guard.order == symmetrical_guard) {
       return convolved(pair, std::vector<Number>(pair.rbegin(), pair.rend()));
+    }
     auto taps = pair;
     for (std::uint32_t more = 1; more < guard.order; ++more) taps = convolved(taps, pair);
     return taps;
   }
   if (is_symmetrical_guard(guard)) return centred_taps<Number>(guard, cycle_time);
   std::vector<Number> const amplitudes = guard_amplitudes<Number>(guard);
-  double const h = half_period_cycles<double>(guard, cycle_time);
-  Number const exact_h = half_period_cycles<Number>(guard, cycle_time);
+  auto const h = half_period_cycles<double>(guard, cycle_time);
+  auto const exact_h = half_period_cycles<Number>(guard, cycle_time);
   std::vector<Number> taps;
   for (std::size_t i = 0; i < amplitudes.size(); ++i) {
     auto const place =

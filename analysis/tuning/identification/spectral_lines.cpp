@@ -153,7 +153,8 @@ bool is_of_mains(double frequency) {
 
 /// Both halves of the rest show lines.
 bool is_long(SteadySignal const& rest) {
-  return static_cast<double>(rest.values.size() / 2) >= shortest_piece * rest.sampling_rate;
+  std::size_t const half = rest.values.size() / 2;
+  return static_cast<double>(half) >= shortest_piece * rest.sampling_rate;
 }
 
 /// Rests show the line too, and it does not die away there.
