@@ -37,6 +37,7 @@ class Project:
     homepage: str
     heading: str  # of the newest section of CHANGELOG.md, without the hashes
     news: str     # the text below it
+    released: list[str]  # the versions of the older sections
 
     @property
     def tag(self):
@@ -67,7 +68,8 @@ def read():
     sections = re.split(r"^## ", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), flags=re.MULTILINE)
     heading, _, news = sections[1].partition("\n") if len(sections) > 1 else ("", "", "")
     homepage = os.environ.get("AXISC_HOMEPAGE") or facts["HOMEPAGE_URL"][1]
-    return Project(facts["VERSION"][1], facts["DESCRIPTION"][1], homepage.rstrip("/"), heading.strip(), news.strip())
+    released = [section.split(" ", 1)[0] for section in sections[2:]]
+    return Project(facts["VERSION"][1], facts["DESCRIPTION"][1], homepage.rstrip("/"), heading.strip(), news.strip(), released)
 
 
 def is_published(homepage):
@@ -92,6 +94,9 @@ def check(project):
     if not re.fullmatch(re.escape(project.version) + r" \(\d{4}-\d\d-\d\d\)", project.heading):
         wrong.append(f"CHANGELOG.md: the newest heading is \"{project.heading}\", project() in CMakeLists.txt has the version "
                      f"{project.version}; write \"## {project.version} (YYYY-MM-DD)\", or the new version into project()")
+    if project.version in project.released:
+        wrong.append(f"CHANGELOG.md: {project.version} has a section below the newest one: it is released already; write the next version "
+                     "into project() in CMakeLists.txt")
     wrong += other_versions(project)
     if not is_published(project.homepage):
         wrong.append(f"{project.homepage} is not an address at which anything is published; write it into HOMEPAGE_URL of project() "
