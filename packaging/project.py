@@ -11,11 +11,16 @@ from dataclasses import dataclass
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PLACEHOLDER = "OWNER"
+AS_USED = r"(?:axisc[:@-]v?|rev: v|/v)(\d+\.\d+\.\d+)"  # by those who follow a document
 VERSIONS = {
     "vcpkg.json": r'"version-string": "([^"]*)"',
     "editor/clients/vscode/package.json": r'^  "version": "([^"]*)"',
     "python/axisc/_library.py": r'^version = "([^"]*)"',
     "web/package.json": r'^  "version": "([^"]*)"',
+    "action.yml": AS_USED,
+    "templates/axisc.yml": AS_USED,
+    "docs/installation.md": AS_USED,
+    "docs/packages.md": AS_USED,
 }
 
 
@@ -79,9 +84,10 @@ def is_published(homepage):
 def other_versions(project):
     """Where another version is written than that of project()."""
     for name, pattern in VERSIONS.items():
-        found = re.search(pattern, (ROOT / name).read_text(encoding="utf-8"), re.MULTILINE)
-        if not found or found[1] != project.version:
-            yield f"{name} has {f'the version {found[1]}' if found else 'no version'}; write {project.version}"
+        found = re.findall(pattern, (ROOT / name).read_text(encoding="utf-8"), re.MULTILINE)
+        others = sorted({*found} - {project.version})
+        if others or not found:
+            yield f"{name} has {f'the version {others[0]}' if others else 'no version'}; write {project.version}"
     young = [path.parent.name for path in sorted(ROOT.glob("validator/rules/*/facts.json")) if '"unreleased"' in path.read_text(encoding="utf-8")]
     if young:
         yield (f"{len(young)} rules say that they are not released ({young[0]}, …); write \"since\": \"{project.version}\" into "
