@@ -7,8 +7,9 @@
     const phrases = words.flatMap((_, begin) => [2, 3, 4].map((count) => words.slice(begin, begin + count).join('').replaceAll('_', '')).filter(Boolean));
     const numbers = words.filter((word) => /^\d{5,}$/.test(word)).flatMap((word) => Array(9).fill(word));
     const names = typed.split(/\s+/).filter((name) => /^\w[\w[\]]*([.-][\w[\]]+)+$/.test(name));
-    // What is said more often counts more.
-    return [...new Set(slips), ...phrases, ...new Set(phrases), ...numbers, ...names, ...words].join(' ');
+    // What is said more often counts more. Tags count most: one word of several must not find a page by its tag alone.
+    const single = words.length > 1 ? words.flatMap((word) => [`title:${word}`, `text:${word}`]) : words;
+    return [...new Set(slips), ...[...new Set(phrases)].map((phrase) => `${phrase}^8`), ...numbers, ...names, ...single].join(' ');
   };
   const query = 2;
   const post = Worker.prototype.postMessage;

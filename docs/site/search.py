@@ -57,7 +57,7 @@ def enrich(path, language, subjects, words):
             last = [name.split(".")[-1] for name in names]
             entry["tags"] = list(dict.fromkeys([*(part for name in names for part in name.split("/")), *last,
                                                 *(number.rsplit("-", 1)[-1] for number in numbers),
-                                                *(spellings(word)[0] for word in last + called[language])]))
+                                                *(spellings(word)[0] for word in last + every)]))
         seen[page] = section
     if missing := set(of_page) - set(seen):
         raise SystemExit(f"site.py: the index lacks {', '.join(sorted(missing)[:5])}")
