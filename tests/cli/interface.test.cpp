@@ -183,7 +183,7 @@ TEST_CASE("axisc.h takes unsaved text in the place of a file, and settings as th
   CHECK(opened.status == AXISC_NOT_FOUND);
 }
 
-TEST_CASE("axisc.h answers in the formats of the commands") {
+TEST_CASE("axisc.h answers in the formats of the commands", "[digits]") {
   Opened opened;
   auto const mill = samples + "/mill";
   auto const ask = [&](Json const& question) { return opened.call(axisc_answer, question.dump()); };
@@ -248,7 +248,7 @@ TEST_CASE("axisc.h answers in the formats of the commands") {
   }
 }
 
-TEST_CASE("axisc.h answers about circles as the command does") {
+TEST_CASE("axisc.h answers about circles as the command does", "[digits]") {
   Opened opened(R"({"language": "de"})");
   auto const ask = [&](Json question) {
     question["question"] = "circle";

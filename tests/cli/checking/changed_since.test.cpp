@@ -94,7 +94,7 @@ using Files = std::set<std::string>;
 
 }  // namespace
 
-TEST_CASE("of a repository only what differs from the revision is judged") {
+TEST_CASE("of a repository only what differs from the revision is judged", "[posix]") {
   if (!has_git()) return;
   Repository const repository;
   CHECK(repository.judged().empty());
@@ -153,7 +153,7 @@ TEST_CASE("of a repository only what differs from the revision is judged") {
   }
 }
 
-TEST_CASE("a list that is gone shows in the machine that names it, and nowhere else") {
+TEST_CASE("a list that is gone shows in the machine that names it, and nowhere else", "[posix]") {
   if (!has_git()) return;
   Repository const repository;
   repository.remove("alone.lis");
@@ -166,7 +166,7 @@ TEST_CASE("a list that is gone shows in the machine that names it, and nowhere e
   CHECK(repository.judged().contains("a/machine.json"));
 }
 
-TEST_CASE("a list that is gone shows in the start-up list that names it") {
+TEST_CASE("a list that is gone shows in the start-up list that names it", "[posix]") {
   if (!has_git()) return;
   Repository const repository;
   repository.write("sd/hochlauf.lis",
@@ -181,7 +181,7 @@ TEST_CASE("a list that is gone shows in the start-up list that names it") {
   CHECK(repository.judged().contains("sd/hochlauf.lis"));
 }
 
-TEST_CASE("--changed-since works in a sub-folder, which then is all that is judged") {
+TEST_CASE("--changed-since works in a sub-folder, which then is all that is judged", "[posix]") {
   if (!has_git()) return;
   Repository const repository;
   repository.write("a/1.lis", std::string(wrong) + "# more\n");
@@ -192,7 +192,7 @@ TEST_CASE("--changed-since works in a sub-folder, which then is all that is judg
   CHECK_THAT(both, Contains(R"("file":"../b/1.lis")") && Contains(R"("file":"1.lis")"));
 }
 
-TEST_CASE("--changed-since says what is missing") {
+TEST_CASE("--changed-since says what is missing", "[posix]") {
   if (!has_git()) return;
   Repository const repository;
   auto const refuses = [&](std::vector<std::string> const& arguments, std::string const& reason) {

@@ -160,7 +160,7 @@ TEST_CASE("an image has its own cycle time: another one is refused, the same one
   CHECK_FALSE(fs::exists(folder / "other.svg"));
 }
 
-TEST_CASE("an FMU is the same bytes each time, and its libraries too") {
+TEST_CASE("an FMU is the same bytes each time, and its libraries too", "[posix]") {
   TemporaryFolder const folder;
   REQUIRE(run_axisc({"compile", mill, "-o", folder / "mill.axim", "--quiet"}).status == 0);
   auto const outcome =
