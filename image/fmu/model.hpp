@@ -62,7 +62,7 @@ struct EqualNames {
 struct FmuOptions {
   FmiVersion version = FmiVersion::three;
   std::string name{};           ///< of the model; usually the output's file name
-  std::string_view tool{};      ///< "axisc 0.2.0"
+  std::string tool{};           ///< "axisc 0.2.0"
   bool complete = false;        ///< the image keeps names, self-tests, lists and values
   bool plain_integers = false;  ///< instead of booleans and enumerations
 };
