@@ -17,6 +17,7 @@ VERSIONS = {
     "editor/clients/vscode/package.json": r'^  "version": "([^"]*)"',
     "python/axisc/_library.py": r'^version = "([^"]*)"',
     "web/package.json": r'^  "version": "([^"]*)"',
+    "editor/clients/vscode/CHANGELOG.md": r"\A(?:(?!## ).*\n)*## ([\d.]+|\w+)",  # the newest
     "action.yml": AS_USED,
     "templates/axisc.yml": AS_USED,
     "docs/installation.md": AS_USED,

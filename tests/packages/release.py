@@ -30,6 +30,7 @@ CHANGELOG = f"# Changes\n\n## {VERSION} ({DAY})\n\n- New is\n  [this](docs/this.
 OTHERS = {
     "vcpkg.json": f'{{"version-string": "{VERSION}"}}', "python/axisc/_library.py": f'version = "{VERSION}"\n',
     "editor/clients/vscode/package.json": f'{{\n  "version": "{VERSION}"\n}}', "web/package.json": f'{{\n  "version": "{VERSION}"\n}}',
+    "editor/clients/vscode/CHANGELOG.md": f"# Changes\n\n## {VERSION}\n\n- New.\n\n## 9.8.0\n\n- Old.\n",
     "action.yml": f"# uses: somebody/axisc@v{VERSION}\n", "templates/axisc.yml": f"# component: x/axisc/axisc@{VERSION}\n",
     "docs/installation.md": f"axisc-{VERSION}.zip, axisc:{VERSION}\n", "docs/packages.md": f"rev: v{VERSION}, download/v{VERSION}/axisc-{VERSION}.zip\n",
     "validator/rules/AX0001-first/facts.json": f'{{"since": "{VERSION}"}}',
