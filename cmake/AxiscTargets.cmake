@@ -124,7 +124,8 @@ endfunction()
 # makes the target axisc_grammar of all sources in the folder and below it, except those under EXCEPT (paths
 # relative to the folder); SOURCES adds sources that the build writes. DEPENDS without "::" are folders of
 # this project. OF_PROGRAM: no part of libaxisc. HEADERS are included by nearly all of its sources: read once,
-# together with the standard ones; HEADERS_OF: those that another library has read, which is compiled as this one is.
+# together with the standard ones; HEADERS_OF: those that another library has read, which
+# is compiled as this one is, with the same definitions.
 # IN_BATCHES: names in unnamed namespaces and sentences differ within a folder, so that its sources may be
 # compiled together; those of the folders ALONE, and sources ALONE that have options of their own, are not.
 function(axisc_library folder)

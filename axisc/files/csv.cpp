@@ -25,8 +25,9 @@ constexpr Sentence unknown_column{
 constexpr Sentence semicolons{
     "{place}: the columns are separated by semicolons; write commas, and decimal points",
     "{place}: die Spalten sind durch Strichpunkte getrennt; Kommas und Dezimalpunkte schreiben"};
-constexpr Sentence fields_of_line{"{place}: the line has {fields} fields, the first line names {columns}",
-                                  "{place}: die Zeile hat {fields} Felder, die erste Zeile nennt {columns}"};
+constexpr Sentence fields_of_line{
+    "{place}: the number of fields is {fields}, the first line names {columns}",
+    "{place}: die Zahl der Felder ist {fields}, die erste Zeile nennt {columns}"};
 constexpr Sentence number{
     R"({place}: "{text}" in column "{column}" is not a number; write it with a decimal point)",
     R"({place}: "{text}" in Spalte "{column}" ist keine Zahl; mit Dezimalpunkt schreiben)"};

@@ -17,17 +17,18 @@ constexpr Sentence no_numbers{
 constexpr Sentence long_row{"{file}:{line}: the line is longer than 1 MiB",
                             "{file}:{line}: die Zeile ist länger als 1 MiB"};
 constexpr Sentence field_count{
-    "{file}:{line}: the line has {fields} fields, the first line of numbers {columns}; complete it, or "
-    "delete it where the file is cut off",
-    "{file}:{line}: die Zeile hat {fields} Felder, die erste mit Zahlen {columns}; ergänzen oder, wo die "
-    "Datei abgeschnitten ist, löschen"};
+    "{file}:{line}: the number of fields is {fields}, in the first line of numbers {columns}; complete "
+    "the line, or delete it where the file is cut off",
+    "{file}:{line}: die Zahl der Felder ist {fields}, in der ersten Zeile mit Zahlen {columns}; die "
+    "Zeile ergänzen oder, wo die Datei abgeschnitten ist, löschen"};
 constexpr Sentence mixed_marks{
     "{file}:{line}: the file has decimal commas and decimal points; write it without thousands separators",
     "{file}:{line}: die Datei hat Dezimalkommas und Dezimalpunkte; ohne Tausendertrennzeichen schreiben"};
 constexpr Sentence comma_separator{
-    "{file}:{line}: the line has {fields} fields, the header {columns}: decimal commas cannot be told from "
+    "{file}:{line}: the number of fields is {fields}, in the header {columns}: decimal commas cannot be told "
+    "from "
     "the commas that separate; export with tabs or semicolons",
-    "{file}:{line}: die Zeile hat {fields} Felder, der Kopf {columns}: Dezimalkommas sind von trennenden "
+    "{file}:{line}: die Zahl der Felder ist {fields}, im Kopf {columns}: Dezimalkommas sind von trennenden "
     "Kommas nicht zu unterscheiden; mit Tabulatoren oder Semikolons exportieren"};
 constexpr Sentence bad_table{
     "{file}:{line}: the row {text} of the header does not repeat its key before each group of columns; "

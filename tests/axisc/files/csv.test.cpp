@@ -79,9 +79,9 @@ TEST_CASE("every mistake in a CSV file has its place") {
   begins("\n\n", "in.csv:1:1: the CSV file is empty");
   begins("X,,Y\n", "in.csv:1:3: a column has no name");
   begins("X,Y,X\n", "in.csv:1:5: column \"X\" occurs twice");
-  begins("X,Y\n1,2\n3\n", "in.csv:3:1: the line has 1 fields, the first line names 2");
-  begins("X\n1,2\n", "in.csv:2:3: the line has 2 fields");
-  begins("X,Y\n1,2,\n", "in.csv:2:5: the line has 3 fields");
+  begins("X,Y\n1,2\n3\n", "in.csv:3:1: the number of fields is 1, the first line names 2");
+  begins("X\n1,2\n", "in.csv:2:3: the number of fields is 2");
+  begins("X,Y\n1,2,\n", "in.csv:2:5: the number of fields is 3");
   begins("\xC3\x84,Y\n1,\xC3\xA4\n", "in.csv:2:3: \"\xC3\xA4\" in column \"Y\" is not a number");
   begins("\xC3\x84,\xC3\x84\n", "in.csv:1:3: column \"\xC3\x84\" occurs twice");
   begins("X,Y\n1,1.5e\n", "in.csv:2:3: \"1.5e\" in column \"Y\" is not a number");

@@ -104,7 +104,8 @@ TEST_CASE("what run refuses") {
     CHECK(lines_of(outcome.err) == 1);
     CHECK_THAT(outcome.err, Catch::Matchers::Contains(expected));
   };
-  check({"--input", "bad.csv", "--output", "old.csv"}, "error[AX9005]: bad.csv:3:3: the line has 2 fields");
+  check({"--input", "bad.csv", "--output", "old.csv"},
+        "error[AX9005]: bad.csv:3:3: the number of fields is 2");
   CHECK(folder.read("old.csv") == "old");
   check({"--input", "other.csv"},
         "error[AX9005]: other.csv:1:3: the image does not use column \"Z\"; it uses X, X.interface, Y");

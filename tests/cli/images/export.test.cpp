@@ -160,7 +160,7 @@ TEST_CASE("an image has its own cycle time: another one is refused, the same one
   CHECK_FALSE(fs::exists(folder / "other.svg"));
 }
 
-TEST_CASE("an FMU is the same bytes each time, and its libraries too", "[posix]") {
+TEST_CASE("an FMU is the same bytes each time") {
   TemporaryFolder const folder;
   REQUIRE(run_axisc({"compile", mill, "-o", folder / "mill.axim", "--quiet"}).status == 0);
   auto const outcome =
@@ -176,6 +176,11 @@ TEST_CASE("an FMU is the same bytes each time, and its libraries too", "[posix]"
       run_axisc({"export", folder / "mill.axim", "--to", "fmu3", "--binaries", "none", "-o", again}).status ==
       0);
   CHECK(folder.read("again/mill.fmu") == fmu);
+}
+
+TEST_CASE("libraries in an FMU are the same bytes each time", "[posix]") {
+  TemporaryFolder const folder;
+  fs::create_directory(folder / "again");
   for (auto const& [compiler, platform, library] :
        {std::tuple("cc", "linux64", "mill.so"),
         std::tuple("x86_64-w64-mingw32-gcc-posix", "win64", "mill.dll")}) {
