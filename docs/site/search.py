@@ -64,12 +64,21 @@ def enrich(path, language, subjects, words):
     path.write_text(json.dumps(index, ensure_ascii=False, separators=(",", ":")), encoding="utf-8")
 
 
+# Of the search's worker: what is wrong, and how it is right.
+MENDED = [
+    # lunr compares nodes of its tree by a text of letters and numbers without anything between them: 1, 23 and 12, 3 are the same for
+    # it. In an index with many numbers it finds words that are not there, and fails.
+    (r"(=\w\+\w\+\w\.id)(?=\}return \w\})", r'\1+","'),
+    # What query.js adds to words is not marked in the results.
+    (r"(\w=\w\.replace\()(/\[\\s\*\+\\-:~\^\]\+/g)", r'\1/[~^]\\d+|\\b(?:title|text):/g,"").replace(\2'),
+]
+
+
 def mend(folder):
-    """lunr compares nodes of its tree by a text of letters and numbers without anything between them: 1, 23 and 12, 3 are the same
-    for it. In an index with many numbers it finds words that are not there, and fails."""
     (worker,) = (folder / "assets" / "javascripts" / "workers").glob("search.*.js")
     text = worker.read_text(encoding="utf-8")
-    mended, count = re.subn(r"(=\w\+\w\+\w\.id)(?=\}return \w\})", r'\1+","', text)
-    if count != 1:
-        raise SystemExit(f"site.py: {worker.name} is not the search that search.py knows; try it without mend()")
-    worker.write_text(mended, encoding="utf-8")
+    for wrong, right in MENDED:
+        text, count = re.subn(wrong, right, text)
+        if count != 1:
+            raise SystemExit(f"site.py: {worker.name} is not the search that search.py knows; try it without MENDED")
+    worker.write_text(text, encoding="utf-8")
