@@ -182,11 +182,19 @@ function(axisc_test_options target)
   target_precompile_headers(${target} REUSE_FROM axisc_test_support)
 endfunction()
 
+# The header that is read once was read for sources that are not optimised.
+function(axisc_test_optimised)
+  if(ARGN)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O2 SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
+
 # axisc_test(grammar DEPENDS axisc_grammar) makes the program test_grammar of all sources in the folder and in
 # those directly below it, and the test "grammar". SOURCES adds others; with ONLY these are all. With SHARDS n
 # the test is run in n parts, "grammar_1" and so on, so that all processors have work: every n-th source each.
+# OPTIMISED names sources that compute for longer than it takes to compile them so.
 function(axisc_test name)
-  cmake_parse_arguments(ARG "ONLY" "SHARDS" "SOURCES;EXCEPT;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "ONLY" "SHARDS" "SOURCES;EXCEPT;DEPENDS;OPTIMISED" ${ARGN})
   set(target test_${name})
   set(sources "")
   if(NOT ARG_ONLY)
@@ -206,6 +214,7 @@ function(axisc_test name)
   endif()
   add_executable(${target} ${batched} ${alone} ${ARG_SOURCES})
   axisc_test_options(${target})
+  axisc_test_optimised(${ARG_OPTIMISED})
   target_link_libraries(${target} PRIVATE axisc_test_support ${ARG_DEPENDS})
   # Sanitizers take ten times as long, and a busy machine doubles that.
   set(limit 600)

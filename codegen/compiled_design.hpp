@@ -6,12 +6,28 @@
 #include "design/filter_design.hpp"
 #include "design/kernels/kernel_design.hpp"
 
+#include <mutex>
+#include <utility>
+
 namespace axisc::codegen {
 
-struct CompiledFilter {
-  design::FilterDesign design;
-  FilterProof proof;
-  SelfTest self_test;
+template <class Design, class Proof>
+class CompiledDesign {
+ public:
+  CompiledDesign(Design designed, Proof proved) : design(std::move(designed)), proof(proved) {}
+
+  Design design;
+  Proof proof;
+
+  /// Made when it is first asked for: images are also written without. Several threads may ask.
+  [[nodiscard]] SelfTest const& self_test() const {
+    std::call_once(made_, [this] { self_test_ = make_self_test(design); });
+    return self_test_;
+  }
+
+ private:
+  mutable std::once_flag made_;
+  mutable SelfTest self_test_;
 };
 
 struct KernelProof {
@@ -20,10 +36,7 @@ struct KernelProof {
   double tail_gain = 0;  ///< upper bound of Σ|S|
 };
 
-struct CompiledKernel {
-  design::KernelDesign design;
-  KernelProof proof;
-  SelfTest self_test;
-};
+using CompiledFilter = CompiledDesign<design::FilterDesign, FilterProof>;
+using CompiledKernel = CompiledDesign<design::KernelDesign, KernelProof>;
 
 }  // namespace axisc::codegen

@@ -51,7 +51,7 @@ void FilterRecords::add(std::uint32_t axis, design::OscillatorSpecification cons
 Record<records::filter> FilterRecords::append(Place place, CompiledFilter const& compiled) {
   design::FilterDesign const& design = compiled.design;
   Range const sections = place_sections(design.sections);
-  Range const samples = strip_ ? Range{} : tables_.place_samples(compiled.self_test);
+  Range const samples = strip_ ? Range{} : tables_.place_samples(compiled.self_test());
   Record<records::filter> record = tables_.filters.append();
   record.set(fields::filter::axis, place.axis);
   record.set(fields::filter::port, place.port);

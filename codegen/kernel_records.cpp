@@ -7,7 +7,7 @@ void add_kernel(design::KernelSpecification const& specification, CompiledKernel
                 ImageTables& tables) {
   std::uint32_t const first_tail = tables.tails.count();
   for (double const tail : kernel.design.tail_sums) tables.tails.append().set(fields::tail::value, tail);
-  Range const samples = strip ? Range{} : tables.place_samples(kernel.self_test);
+  Range const samples = strip ? Range{} : tables.place_samples(kernel.self_test());
   Record<records::kernel> record = tables.kernels.append();
   record.set(fields::kernel::type, static_cast<std::uint32_t>(specification.type));
   record.set(fields::kernel::order, specification.order);

@@ -22,11 +22,9 @@ void append(Key& key, design::FilterSpecification const& s) {
               static_cast<std::uint64_t>(s.reading), static_cast<std::uint64_t>(s.cycle_time)});
 }
 
-CompiledFilter completed(design::FilterDesign design) {
-  CompiledFilter compiled{.design = std::move(design), .proof = {}, .self_test = {}};
-  compiled.proof = prove_filter(compiled.design);
-  compiled.self_test = make_self_test(compiled.design);
-  return compiled;
+KnownDesigns::Filter proved(design::FilterDesign design) {
+  FilterProof const proof = prove_filter(design);
+  return std::make_shared<CompiledFilter const>(std::move(design), proof);
 }
 
 KernelProof prove(design::KernelDesign const& design) {
@@ -47,7 +45,7 @@ KnownDesigns::Filter KnownDesigns::filter(design::FilterSpecification const& spe
   Key key{cycle_time.nanoseconds};
   append(key, specification);
   return filters_.get(key, [&] {
-    return completed(design::design_filter(specification, cycle_time, design::Precision::exact));
+    return proved(design::design_filter(specification, cycle_time, design::Precision::exact));
   });
 }
 
@@ -55,7 +53,7 @@ KnownDesigns::Filter KnownDesigns::oscillator(design::OscillatorSpecification co
                                               design::CycleTime cycle_time) {
   Key const key{cycle_time.nanoseconds, bits(specification.frequency.value), bits(specification.damping)};
   return oscillators_.get(key, [&] {
-    return completed(design::design_oscillator(specification, cycle_time, design::Precision::exact));
+    return proved(design::design_oscillator(specification, cycle_time, design::Precision::exact));
   });
 }
 
@@ -70,11 +68,9 @@ KnownDesigns::Kernel KnownDesigns::kernel(design::KernelSpecification const& spe
                 static_cast<std::uint64_t>(specification.reading),
                 static_cast<std::uint64_t>(specification.cycle_time)};
   return kernels_.get(key, [&] {
-    CompiledKernel compiled{
-        .design = design::design_kernel(specification, cycle_time), .proof = {}, .self_test = {}};
-    compiled.proof = prove(compiled.design);
-    compiled.self_test = make_self_test(compiled.design);
-    return compiled;
+    design::KernelDesign design = design::design_kernel(specification, cycle_time);
+    KernelProof const proof = prove(design);
+    return std::make_shared<CompiledKernel const>(std::move(design), proof);
   });
 }
 
@@ -92,7 +88,7 @@ ChainProof KnownDesigns::chain(std::span<design::FilterSpecification const> spec
     for (design::FilterSpecification const& specification : specifications) {
       designs.push_back(filter(specification, cycle_time)->design);
     }
-    return prove_chain(designs);
+    return std::make_shared<ChainProof const>(prove_chain(designs));
   });
 }
 

@@ -25,7 +25,7 @@ class SharedResults {
  public:
   using Key = std::vector<std::uint64_t>;
 
-  /// `make()` gives the result of a new key.
+  /// `make()` gives the result of a new key, as a shared pointer.
   template <typename Make>
   [[nodiscard]] std::shared_ptr<Result const> get(Key const& key, Make make) {
     {
@@ -33,7 +33,7 @@ class SharedResults {
       auto const known = results_.find(key);
       if (known != results_.end()) return known->second;
     }
-    auto made = std::make_shared<Result const>(make());
+    std::shared_ptr<Result const> made = make();
     std::lock_guard const lock(mutex_);
     // Where every machine has filters of its own, there is nothing to gain by keeping them.
     if (results_.size() >= most_results && !results_.contains(key)) results_.clear();
