@@ -39,13 +39,13 @@ struct NearestPoint {
   }
 };
 
-/// A path whose nearest point is found without looking at all of it: a way of s along the path leads at most
-/// s nearer.
+/// A path in a plane, that of the first two components, whose nearest point is found without looking at all
+/// of it: a way of s along the path leads at most s nearer.
 class SearchedPath {
  public:
   explicit SearchedPath(std::vector<Point> points) : points_(std::move(points)) {
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      ways_.push_back(i == 0 ? 0 : ways_.back() + length(minus(points_[i], points_[i - 1])));
+      ways_.push_back(i == 0 ? 0 : ways_.back() + distance(points_[i], points_[i - 1]));
     }
   }
 
@@ -56,15 +56,15 @@ class SearchedPath {
     std::size_t const last = points_.size() - 1;
     begin = std::min(begin, last);
     for (std::size_t i = begin; i < last;) {
-      found.consider(point, points_[i], points_[i + 1]);
-      double const spare = length(minus(points_[i + 1], point)) - found.distance();
+      found.consider(point, points_[i], points_[i + 1], axes);
+      double const spare = distance(points_[i + 1], point) - found.distance();
       auto const next = std::lower_bound(ways_.begin() + static_cast<std::ptrdiff_t>(i) + 1, ways_.end(),
                                          ways_[i + 1] + spare * safety);
       i = std::max(i + 1, static_cast<std::size_t>(next - ways_.begin()) - 1);
     }
     for (std::size_t i = begin; i > 0;) {
-      found.consider(point, points_[i - 1], points_[i]);
-      double const spare = length(minus(points_[i - 1], point)) - found.distance();
+      found.consider(point, points_[i - 1], points_[i], axes);
+      double const spare = distance(points_[i - 1], point) - found.distance();
       auto const next = std::upper_bound(ways_.begin(), ways_.begin() + static_cast<std::ptrdiff_t>(i),
                                          ways_[i - 1] - spare * safety);
       i = std::min(i - 1, static_cast<std::size_t>(next - ways_.begin()));
@@ -73,7 +73,15 @@ class SearchedPath {
   }
 
  private:
+  static constexpr std::size_t axes = 2;
   static constexpr double safety = 1 - 1e-9;  ///< against rounding of the sums
+
+  static double distance(Point const& a, Point const& b) {
+    double const x = a[0] - b[0];
+    double const y = a[1] - b[1];
+    return std::sqrt(x * x + y * y);
+  }
+
   std::vector<Point> points_;
   std::vector<double> ways_;  ///< along the path up to each point
 };

@@ -59,10 +59,10 @@ double swing(LoadAccelerations const& load, double cycle_seconds, Resonance cons
     // A quarter of the window's resolution: no peak is missed by more than 1 %.
     double const step = 0.25 / (static_cast<double>(record.size()) * cycle_seconds);
     auto const steps = static_cast<int>(std::ceil(reach / step));
-    for (int i = -steps; i <= steps; ++i) {
-      double const frequency = resonance.frequency + reach * i / steps;
-      largest = std::max(largest, motion::amplitude_at(record, cycle_seconds, frequency));
-    }
+    std::vector<double> frequencies;
+    for (int i = -steps; i <= steps; ++i) frequencies.push_back(resonance.frequency + reach * i / steps);
+    auto const amplitudes = motion::amplitudes_at(record, cycle_seconds, frequencies);
+    largest = std::max(largest, *std::max_element(amplitudes.begin(), amplitudes.end()));
   }
   return largest;
 }

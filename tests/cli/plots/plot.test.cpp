@@ -60,20 +60,19 @@ double top_of(std::string const& svg) {
 
 /// How far the place is from the curve.
 double distance(std::vector<Place> const& curve, Place const& place) {
-  double least = 1e9;
+  double least = 1e18;
   for (std::size_t i = 1; i < curve.size(); ++i) {
     Place const& a = curve[i - 1];
-    Place const& b = curve[i];
-    double const length = std::hypot(b.x - a.x, b.y - a.y);
-    double const along =
-        length == 0
-            ? 0
-            : std::clamp(((place.x - a.x) * (b.x - a.x) + (place.y - a.y) * (b.y - a.y)) / (length * length),
-                         0.0, 1.0);
-    least =
-        std::min(least, std::hypot(a.x + along * (b.x - a.x) - place.x, a.y + along * (b.y - a.y) - place.y));
+    double const dx = curve[i].x - a.x;
+    double const dy = curve[i].y - a.y;
+    double const square = dx * dx + dy * dy;
+    double const along = square == 0 ? 0 : ((place.x - a.x) * dx + (place.y - a.y) * dy) / square;
+    double const share = along < 0 ? 0 : along > 1 ? 1 : along;
+    double const x = a.x + share * dx - place.x;
+    double const y = a.y + share * dy - place.y;
+    least = std::min(least, x * x + y * y);
   }
-  return least;
+  return std::sqrt(least);
 }
 
 /// The picture's place of a label of the horizontal axis.

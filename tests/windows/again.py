@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Runs a program of tests, and what fails in it once more by itself: wine fails to start or to end about one program
-in ten thousand, even one that only prints a line, and the tests start some ten thousand.
+"""Runs a program of tests, and what fails in it again by itself: on a busy machine wine loses the output or the status
+of one program in some hundred or thousand, even of one that only prints a line, and the tests start ten thousand.
 
-    twice.py TESTS [FILTER …]
+    again.py TESTS [FILTER …]
 """
 import re
 import subprocess
@@ -22,5 +22,9 @@ bad = [
 failed = [name for name in names if any(one == name or one.startswith(name + "/") for one in bad)]
 if not names or bool(run.returncode) != bool(failed):
     sys.exit(f"{tests}: {len(names)} tests, ended with {run.returncode}, of its failures are known: {failed}")
-print(f"{len(names)} tests, once more: {failed}", flush=True)
-sys.exit(max((subprocess.run([tests, re.sub(r"([\\,\[])", r"\\\1", name)]).returncode for name in failed), default=0))
+print(f"{len(names)} tests", flush=True)
+for _ in range(3):
+    if failed:
+        print(f"again: {failed}", flush=True)
+    failed = [name for name in failed if subprocess.run([tests, re.sub(r"([\\,\[])", r"\\\1", name)]).returncode]
+sys.exit(f"failed every time: {failed}" if failed else 0)
