@@ -28,11 +28,10 @@ std::string named_folder(Inputs const& inputs, std::string const& path) {
 
 }  // namespace
 
-std::vector<Belonging> belonging_of(Inputs const& inputs, configuration::Files& files,
-                                    OptionsOf const& options) {
+std::vector<Belonging> belonging_of(Inputs const& inputs, configuration::Files& files) {
   OpenDocuments const no_documents;
   Buffers buffers(no_documents, files);
-  MachineSearch search(options);
+  MachineSearch search;
   std::vector<Belonging> found;
   found.reserve(inputs.paths.size());
   for (auto const& path : inputs.paths) {
@@ -43,10 +42,10 @@ std::vector<Belonging> belonging_of(Inputs const& inputs, configuration::Files& 
   return found;
 }
 
-void judge_in_machines(Inputs& inputs, configuration::Files& files, OptionsOf const& options) {
+void judge_in_machines(Inputs& inputs, configuration::Files& files) {
   std::unordered_set<std::string> const whole(inputs.paths.begin(), inputs.paths.end());
   std::vector<std::string> judged;
-  auto belongings = belonging_of(inputs, files, options);
+  auto belongings = belonging_of(inputs, files);
   for (std::size_t i = 0; i < belongings.size(); ++i) {
     auto const& path = inputs.paths[i];
     auto& belonging = belongings[i];

@@ -84,7 +84,7 @@ std::vector<MachineSearch::Machine> const& MachineSearch::machines_in(Buffers& f
     if (!is_machine(files, machine.path)) continue;
     Buffers own = files.anew();
     SourceSet sources;
-    auto const loaded = validator::load(own, machine.path, options_(machine.path), sources);
+    auto const loaded = validator::load(own, machine.path, {}, sources);
     if (auto const* const found = std::get_if<validator::LoadedMachine>(&loaded)) {
       for (auto const& read : found->files) {
         machine.names.emplace(validator::key_of(read), read);
@@ -113,10 +113,10 @@ Belonging MachineSearch::machine_of(Buffers& files, std::string const& path,
   return {.machine = path, .name = path};
 }
 
-Belonging machine_of(configuration::Files& files, std::string const& path, OptionsOf const& options) {
+Belonging machine_of(configuration::Files& files, std::string const& path) {
   OpenDocuments const none;
   Buffers buffers(none, files);
-  return MachineSearch(options).machine_of(buffers, path);
+  return MachineSearch().machine_of(buffers, path);
 }
 
 }  // namespace axisc

@@ -3,9 +3,7 @@
 
 #include "axisc/workspace/asked_files.hpp"
 #include "axisc/workspace/buffers.hpp"
-#include "validator/options.hpp"
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,21 +11,16 @@
 
 namespace axisc {
 
-/// The options that `lint` checks an input with.
-using OptionsOf = std::function<validator::CheckOptions(std::string const& path)>;
-
 /// The input whose check covers a file, and the name by which that input reads it.
 struct Belonging {
   std::string machine;  ///< the file itself where no machine reads it
   std::string name;     ///< of the file, as findings of the machine name it
 };
 
-/// Looks into every list of the folders once, however many files are asked for.
+/// Looks into every list of the folders once, however many files are asked for. Which files a machine reads
+/// depends on no settings: a neighbour's must not be in the way.
 class MachineSearch {
  public:
-  /// `options` must outlive the search.
-  explicit MachineSearch(OptionsOf const& options) : options_(options) {}
-
   /// The nearest machine file, project or start-up list, in the file's folder or above, that reads it; the
   /// file itself where there is none, and where it is a machine. Machine files come before start-up lists.
   /// With `from`, a folder ("" or with `/` at the end), only folders above it are searched.
@@ -51,12 +44,10 @@ class MachineSearch {
   };
   [[nodiscard]] std::vector<Machine> const& machines_in(Buffers& files, std::string const& folder);
 
-  OptionsOf const& options_;
   std::map<std::string, std::vector<Machine>> machines_;  ///< by folder
 };
 
 /// The machine of a single file.
-[[nodiscard]] Belonging machine_of(configuration::Files& files, std::string const& path,
-                                   OptionsOf const& options);
+[[nodiscard]] Belonging machine_of(configuration::Files& files, std::string const& path);
 
 }  // namespace axisc

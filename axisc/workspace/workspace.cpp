@@ -30,16 +30,16 @@ validator::CheckOptions Workspace::options_of(std::string const& path) {
 }
 
 Belonging Workspace::machine_of(std::string const& path) {
-  return axisc::machine_of(files_, path, [this](std::string const& input) { return options_of(input); });
+  return axisc::machine_of(files_, path);
 }
 
 void Workspace::judge_in_machines(Inputs& inputs) {
-  axisc::judge_in_machines(inputs, files_, [this](std::string const& path) { return options_of(path); });
+  axisc::judge_in_machines(inputs, files_);
   shown_ = inputs.shown;
 }
 
 std::vector<Belonging> Workspace::belonging_of(Inputs const& inputs) {
-  return axisc::belonging_of(inputs, files_, [this](std::string const& path) { return options_of(path); });
+  return axisc::belonging_of(inputs, files_);
 }
 
 std::vector<std::string> const* Workspace::shown_of(std::string const& machine) const {

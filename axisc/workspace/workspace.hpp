@@ -8,6 +8,7 @@
 #include "axisc/workspace/machine_search.hpp"
 #include "validator/options.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -15,6 +16,9 @@
 #include <vector>
 
 namespace axisc {
+
+/// The options that `lint` checks an input with.
+using OptionsOf = std::function<validator::CheckOptions(std::string const& path)>;
 
 /// What counts for every file, before the settings: options of the command line, settings of an editor.
 struct Overrides {

@@ -1,7 +1,7 @@
 // The pages about a machine that a client shows, and the line above each cascade of filters.
 #pragma once
 
-#include "axisc/workspace/machine_search.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "configuration/files.hpp"
 #include "diagnostics/message.hpp"
 

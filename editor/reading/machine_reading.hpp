@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/workspace/buffers.hpp"
-#include "axisc/workspace/machine_search.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "diagnostics/finding.hpp"
 #include "editor/reading/open_list.hpp"
 #include "validator/loading/loading.hpp"

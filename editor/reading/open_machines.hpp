@@ -3,6 +3,7 @@
 
 #include "axisc/workspace/buffers.hpp"
 #include "axisc/workspace/machine_search.hpp"
+#include "axisc/workspace/workspace.hpp"
 #include "configuration/files.hpp"
 #include "editor/reading/machine_reading.hpp"
 #include "editor/reading/requests.hpp"
@@ -34,7 +35,7 @@ class OpenMachines {
 
   /// `disk` outlives this object.
   OpenMachines(configuration::Files& disk, OptionsOf options, Language language)
-      : disk_(disk), options_(std::move(options)), client_{.language = language}, search_(options_) {}
+      : disk_(disk), options_(std::move(options)), client_{.language = language} {}
   OpenMachines(OpenMachines const&) = delete;
   OpenMachines& operator=(OpenMachines const&) = delete;
 

@@ -49,7 +49,7 @@ Outcome answered(Asked const& asked, std::string const& format, std::string cons
   auto words = asked.words;
   words.insert(words.end(), {"--format", format, "--lang", language});
   // Without teeth, whose simulation takes ten times as long and has the same answers.
-  TemporaryFolder const folder;
+  static TemporaryFolder const folder;
   auto plant = json::parse(file_contents(samples + "motion/rack/plant.json"));
   plant["plants"][0]["transmission_error_um"] = 0;
   folder.write("plant.json", plant.dump());

@@ -99,6 +99,18 @@ TEST_CASE("the settings name schema files, and those of the command line win") {
   CHECK_THAT(missing.err, Contains("axisc.json:1:13") && Contains("missing.json"));
 }
 
+TEST_CASE("a machine in a folder above that does not name the list is not asked for its settings") {
+  TemporaryFolder const folder;
+  folder.write("one/schema/extra.json", schema);
+  folder.write("one/axisc.json", R"({"schema": ["schema/extra.json"]})");
+  folder.write("one/x.lis", "getriebe[0].new_limit 600\n");
+  folder.write("one/wider.json",
+               R"({"version": 1, "parameters": [{"name": "getriebe[].new_limit", "maximum": 700}]})");
+  // Without the other schema file this one is wrong.
+  folder.write("machine.json", R"({"axes": [{"name": "X", "list": "two/x.lis"}]})");
+  CHECK(findings(folder, {"one/x.lis", "--schema", folder / "one/wider.json"}).empty());
+}
+
 TEST_CASE("images come from lists with the parameters of a schema file, and builds depend on it") {
   TemporaryFolder const folder;
   folder.write("extra.json", schema);
