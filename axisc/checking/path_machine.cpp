@@ -70,7 +70,9 @@ RequestedMachine::RequestedMachine(Workspace& workspace, MachineRequest const& r
   path = std::move(belonging.machine);
   input = std::move(belonging.name);
   checked = check_machine(workspace, path, errors, sources, loaded);
-  if (checked) require_cycle_time(path, *checked);
+  if (!checked) return;
+  require_cycle_time(path, *checked);
+  add_settings_files(workspace.settings(), path, checked->files);
 }
 
 std::size_t RequestedMachine::axis(std::optional<std::string> const& name) const {
@@ -89,7 +91,6 @@ std::optional<CheckedMachine> checked_machine(Workspace& workspace, MachineReque
   RequestedMachine requested(workspace, request, errors);
   if (!requested.checked) return std::nullopt;
   auto& result = *requested.checked;
-  add_settings_files(workspace.settings(), requested.path, result.files);
   CheckedMachine checked{.machine = *std::move(result.machine), .files = std::move(result.files)};
   if (requested.path == requested.input) return checked;
   auto const axis = axis_of_list(*requested.loaded, requested.sources, requested.input);

@@ -137,8 +137,8 @@ Answer picture(Workspace& workspace, Asked const& asked, ErrorSink const& errors
   question.recording = asked.find("recording");
   question.columns = {.input = asked.find("in"), .output = asked.find("out")};
   question.language = errors.language;
-  auto const figure = picture_answer(workspace, question, errors);
-  return figure ? Answer(pictures::svg(*figure, errors.language)) : std::nullopt;
+  auto const picture = picture_answer(workspace, question, errors);
+  return picture ? Answer(pictures::svg(picture->figure, errors.language)) : std::nullopt;
 }
 
 Answer report(Workspace& workspace, Asked const& asked, ErrorSink const& errors) {

@@ -151,11 +151,12 @@ ExitStatus plot(Invocation const& invocation) {
   }
   if (options.target.path) refuse_overwriting({*options.target.path}, inputs);
   Workspace workspace(overrides_with(options.cycle_time));
-  auto const figure =
+  auto const picture =
       picture_answer(workspace, question,
                      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
-  if (!figure) return ExitStatus::findings;
-  write_picture(*figure, options.target, invocation);
+  if (!picture) return ExitStatus::findings;
+  if (options.target.path) refuse_overwriting({*options.target.path}, picture->files);
+  write_picture(picture->figure, options.target, invocation);
   return ExitStatus::success;
 }
 

@@ -118,11 +118,12 @@ Page plot_of_machine(PageSubject const& subject) {
   question.alone = true;
   question.axis = kind->second == PictureKind::delay ? std::nullopt : subject.axis;
   question.language = subject.language;
-  auto const figure = picture_answer(workspace, question, no_errors(subject));
-  if (!figure) {
+  auto const picture = picture_answer(workspace, question, no_errors(subject));
+  if (!picture) {
     throw Failure({says::errors_first, {{"machine", std::string(validator::file_name(subject.machine))}}});
   }
-  return with_script(figure->title, pictures::page(*figure, subject.language), subject.language);
+  auto const& figure = picture->figure;
+  return with_script(figure.title, pictures::page(figure, subject.language), subject.language);
 }
 
 constexpr std::array commands = {PageCommand{.name = "axisc.report", .page = page<report_of_machine>},

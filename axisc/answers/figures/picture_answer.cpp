@@ -192,8 +192,8 @@ std::string_view word_of(PictureKind kind) {
       ->first;
 }
 
-std::optional<pictures::Figure> picture_answer(Workspace& workspace, PictureQuestion question,
-                                               ErrorSink const& errors) {
+std::optional<Picture> picture_answer(Workspace& workspace, PictureQuestion question,
+                                      ErrorSink const& errors) {
   require_parts(question);
   auto now = plotted(workspace, question, question.input, errors);
   if (!now) return std::nullopt;
@@ -221,8 +221,15 @@ std::optional<pictures::Figure> picture_answer(Workspace& workspace, PictureQues
     case PictureKind::robustness:
     case PictureKind::delay: figure = axes_figure(question, *now, before ? &*before : nullptr); break;
   }
-  if (figure) figure->shows_table = before.has_value();
-  return figure;
+  if (!figure) return std::nullopt;
+  figure->shows_table = before.has_value();
+  Picture picture{.figure = *std::move(figure), .files = {}};
+  for (auto const* const state : {&*now, before ? &*before : nullptr}) {
+    if (state == nullptr || !state->input.machine) continue;
+    auto const& files = state->input.machine->files;
+    picture.files.insert(picture.files.end(), files.begin(), files.end());
+  }
+  return picture;
 }
 
 }  // namespace axisc

@@ -63,9 +63,14 @@ struct PictureQuestion {
   Language language = Language::english;
 };
 
+struct Picture {
+  pictures::Figure figure;
+  std::vector<std::string> files;  ///< that the machines were read from, with those of settings
+};
+
 /// None after errors in lists or in the program, which `errors` takes. Failure for options that do not fit
 /// the machine, and for files that cannot be read.
-[[nodiscard]] std::optional<pictures::Figure> picture_answer(Workspace& workspace, PictureQuestion question,
-                                                             ErrorSink const& errors);
+[[nodiscard]] std::optional<Picture> picture_answer(Workspace& workspace, PictureQuestion question,
+                                                    ErrorSink const& errors);
 
 }  // namespace axisc

@@ -18,10 +18,11 @@ namespace axisc {
 namespace {
 
 /// The machine at `path`, and whatever else lies in a folder, in the order of `lint`; every finding is kept.
-/// None after errors.
-std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const& path,
-                                      std::vector<std::string> const& inputs, Workspace& workspace) {
-  std::optional<CheckedMachine> machine;
+/// None after errors. What is read is added to `files`.
+std::optional<machine::Machine> checked(ReportSubject& subject, std::string const& path,
+                                        std::vector<std::string> const& inputs, Workspace& workspace,
+                                        std::vector<std::string>& files) {
+  std::optional<machine::Machine> machine;
   std::optional<Failure> refused;
   for (auto const& input : inputs) {
     SourceSet sources;
@@ -32,12 +33,14 @@ std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const&
     if (found.failure) throw Failure(*found.failure);
     for (auto const& finding : found.findings) add_finding(subject, finding, found.sources);
     subject.files += found.files.size();
-    if (input != path) continue;
     auto& result = judged.result;
+    files.insert(files.end(), result.files.begin(), result.files.end());
+    add_settings_files(workspace.settings(), input, files);
+    if (input != path) continue;
     refused = refusal(path, result, found.sources, subject.language);
     if (!result.machine) continue;
     if (!refused) require_cycle_time(path, result);
-    machine.emplace(CheckedMachine{.machine = *std::move(result.machine), .files = std::move(result.files)});
+    machine = std::move(result.machine);
   }
   if (subject.counts.errors > 0) return std::nullopt;
   // Without a machine the page could not say that it is ready.
@@ -133,7 +136,8 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
   bool const is_listed = std::find(inputs.paths.begin(), inputs.paths.end(), path) != inputs.paths.end();
   if (!is_listed) inputs.paths = {path};
   workspace.take(inputs);
-  auto const machine = checked(subject, path, inputs.paths, workspace);
+  std::vector<std::string> files;
+  auto const machine = checked(subject, path, inputs.paths, workspace, files);
   SourceSet sources;
   auto const loaded = loaded_machine(workspace, path, sources);
   fill_cover(subject, question, loaded);
@@ -142,9 +146,9 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
   Earlier old;
   std::optional<ShownDifference> difference;
   if (machine) {
-    image.emplace(image_of(machine->machine, input));
+    image.emplace(image_of(*machine, input));
     host.emplace(start_runtime(input, *image));
-    subject.machine = &machine->machine;
+    subject.machine = &*machine;
     subject.contours = contours_of(subject);
     subject.delays = {delay_budget_section(loaded, sources, std::nullopt)};
     subject.plots.emplace(PlotSubject{.now = {.file = *image, .host = *host, .machine = subject.machine},
@@ -155,6 +159,9 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
   if (question.before) {
     old.read(workspace, question, errors);
     if (!old.difference) return std::nullopt;
+    if (auto const& loaded_before = old.before->loaded) {
+      files.insert(files.end(), loaded_before->files.begin(), loaded_before->files.end());
+    }
     difference.emplace(ShownDifference{.before = *question.before,
                                        .after = input,
                                        .difference = *old.difference,
@@ -168,9 +175,7 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
                        .machine = old.before->machine ? &*old.before->machine : nullptr});
     }
   }
-  return ReportAnswer{.page = report_page(subject),
-                      .counts = subject.counts,
-                      .files = machine ? machine->files : std::vector<std::string>()};
+  return ReportAnswer{.page = report_page(subject), .counts = subject.counts, .files = std::move(files)};
 }
 
 }  // namespace axisc

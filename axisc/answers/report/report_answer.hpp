@@ -30,7 +30,7 @@ struct ReportQuestion {
 struct ReportAnswer {
   std::string page;  ///< HTML
   FindingCounts counts;
-  std::vector<std::string> files = {};  ///< that the machine was read from
+  std::vector<std::string> files = {};  ///< that were read, with those of settings
 };
 
 /// Of a list it is the page of its machine. None where the lists of the earlier state, or both, have errors

@@ -83,6 +83,46 @@ TEST_CASE("no output replaces an input, another output or a key") {
   }
 }
 
+TEST_CASE("no picture, page or table replaces a file of the machine or of its settings", "[posix]") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  auto const samples = fs::path(AXISC_SOURCE_DIR) / "samples";
+  fs::copy(samples / "mill", folder.path());
+  fs::copy(samples / "mill", folder / "before");
+  folder.write("schema.json", R"({"version": 1, "parameters": []})");
+  folder.write("axisc.json", R"({"schema": ["schema.json"]})");
+  std::vector<Arguments> const commands = {
+      {"plot", "machine.json", "-o"},
+      {"plot", "machine.json", "--before", "before/machine.json", "-o"},
+      {"plot", "machine.json", "--kind", "circle", "--feed", "1000", "-o"},
+      {"report", "machine.json", "-o"},
+      {"report", "machine.json", "--before", "before/machine.json", "-o"},
+      {"suggest", "machine.json", "--axis", "X", "--resonance", "48Hz", "-o"},
+      {"simulate", "machine.json", "--program", "part.nc", "-o"},
+      {"compile", "machine.json", "-o"},
+      {"lint", "machine.json", "--write-baseline"}};
+  auto const before = contents(folder);
+  for (std::string const file :
+       {"machine.json", "default.lis", "x.lis", "part.nc", "axisc.json", "schema.json", "before/y.lis"}) {
+    for (auto arguments : commands) {
+      if (file == "before/y.lis" && arguments[2] != "--before") continue;
+      fs::create_symlink(file, folder / "out.svg");
+      arguments.emplace_back("out.svg");
+      auto const outcome = run_axisc(arguments, there);
+      fs::remove(folder / "out.svg");
+      INFO(arguments.front() << " -o " << file << ": " << outcome.err);
+      CHECK(outcome.status == 2);
+      CHECK_THAT(outcome.err, Contains("AX9002") && Contains("overwritten"));
+      CHECK(contents(folder) == before);
+    }
+  }
+  // Also where the page is about errors.
+  folder.write("x.lis", "filter[0].enable 1\nfilter[0].type NONE_SUCH\nEnde\n");
+  auto const wrong = contents(folder);
+  CHECK(run_axisc({"report", "machine.json", "-o", "y.lis"}, there).status == 2);
+  CHECK(contents(folder) == wrong);
+}
+
 TEST_CASE("a device is nobody's file") {
   TemporaryFolder const folder;
   auto const there = prepared(folder);
