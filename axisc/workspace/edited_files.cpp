@@ -39,7 +39,14 @@ bool EditedFiles::is_same(std::string const& one, std::string const& other) {
 
 EditedBytes::const_iterator EditedFiles::find(std::string const& path) const {
   auto const found = edited_.find(path);
-  return found == edited_.end() && !edited_.empty() ? edited_.find(validator::key_of(path)) : found;
+  if (found != edited_.end() || edited_.empty()) return found;
+  auto const normal = edited_.find(validator::key_of(path));
+  if (normal != edited_.end()) return normal;
+  // From a folder above, or through a link to one of its folders.
+  auto const name = validator::file_name(path);
+  return std::find_if(edited_.begin(), edited_.end(), [&](auto const& known) {
+    return validator::file_name(known.first) == name && disk_.is_same(known.first, path);
+  });
 }
 
 }  // namespace axisc

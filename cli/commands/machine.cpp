@@ -46,14 +46,18 @@ ExitStatus machine(Invocation const& invocation) {
   if (is_project && format == presentation::Format::json) {
     throw Failure({says::lists_in_project, {{"file", path}}});
   }
+  auto const lacks = lacks_of(machine, sources);
   bool const is_read_by_programs =
       format == presentation::Format::json || format == presentation::Format::csv;
-  for (auto const& [place, reason] :
-       is_read_by_programs ? lacks_of(machine, sources) : std::vector<MachineLack>()) {
-    invocation.streams.err.write(place + ": " + text_of(reason, invocation.language) + "\n");
+  if (is_read_by_programs) {
+    for (auto const& [place, reason] : lacks) {
+      invocation.streams.err.write(place + ": " + text_of(reason, invocation.language) + "\n");
+    }
   }
-  print(machine_answer(machine, sources), format, invocation, command_line);
-  return machine.complete ? ExitStatus::success : ExitStatus::findings;
+  // A machine file without axes would be none.
+  bool const is_unusable = !lacks.empty() && machine.axes.empty() && format == presentation::Format::json;
+  if (!is_unusable) print(machine_answer(machine, sources), format, invocation, command_line);
+  return machine.complete && lacks.empty() ? ExitStatus::success : ExitStatus::findings;
 }
 
 }  // namespace axisc::cli

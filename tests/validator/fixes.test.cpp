@@ -138,6 +138,9 @@ TEST_CASE("commands") {
   CHECK(block("#VIBGUARD ON [FREQ=40]", 5001) == "#VIB GUARD ON [FREQ=40]");
   CHECK(block("#VIB_GUARD ON", 5001) == "#VIB GUARD ON");
   CHECK(block("#vib  gard ON", 5001) == "#VIB GUARD ON");
+  CHECK(block("#FILTERON[ORDER=20]", 5001) == "#FILTER ON[ORDER=20]");
+  CHECK(block("#VIB GUARDON", 5001) == "#VIB GUARD ON");
+  CHECK(block("#VIB_GUARD_OFF", 5001) == "#VIB GUARD OFF");
   CHECK(block("#SLOPE ON #HSC ON #FILE", 5001) == "no finding");
   CHECK(block("#FILTER ON OFF", 5001) == "none");
   CHECK(block("#FILTER on", 5001) == "#FILTER ON");

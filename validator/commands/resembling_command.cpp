@@ -25,11 +25,17 @@ void check_resembling(grammar::NcCommand const& command, std::string_view text, 
     std::string const proper(proper_name(kind));
     std::string meant = proper;
     std::erase(meant, ' ');
-    if (schema::edit_distance(letters, meant, 1) > 1) continue;
-    add_mistake(checked, kind, syntax_mistake, command.resembling, says::filter_syntax_misspelt,
-                {{"text", written}, {"command", proper}})
-        .better = proper;
-    return;
+    // Also without the blank before ON or OFF.
+    for (std::string const switched : {"", "ON", "OFF"}) {
+      bool const is_meant =
+          switched.empty() ? schema::edit_distance(letters, meant, 1) <= 1 : letters == meant + switched;
+      if (!is_meant) continue;
+      auto const better = switched.empty() ? proper : proper + " " + switched;
+      add_mistake(checked, kind, syntax_mistake, command.resembling, says::filter_syntax_misspelt,
+                  {{"text", written}, {"command", better}})
+          .better = better;
+      return;
+    }
   }
 }
 

@@ -268,6 +268,22 @@ TEST_CASE("machine says what is missing") {
   CHECK(json.err == place + ": " + reason);
 }
 
+TEST_CASE("machine says that a machine file is none, and writes none") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  for (std::string const text : {R"({"machine": "m", "axes": 5})", R"({"machine": "m")"}) {
+    folder.write("machine.json", text);
+    INFO(text);
+    auto const shown = run_axisc({"machine", "machine.json"}, there);
+    CHECK(shown.status == 1);
+    CHECK_THAT(shown.out, Contains("machine.json:"));
+    auto const written = run_axisc({"machine", "machine.json", "--format", "json"}, there);
+    CHECK(written.status == 1);
+    CHECK(written.out.empty());
+    CHECK_THAT(written.err, Contains("machine.json:"));
+  }
+}
+
 TEST_CASE("a copy of the folder by another name is a machine like the original") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());

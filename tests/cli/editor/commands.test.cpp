@@ -176,6 +176,22 @@ TEST_CASE("a file has one verdict, whether it is named, in a commit, or an edito
   }
 }
 
+TEST_CASE("text on standard input is judged in a machine above the working folder") {
+  TemporaryFolder const folder;
+  folder.write("machine.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "axes/x.lis"}]})");
+  folder.write("axes/x.lis", "filter_fir.type 1\nfilter_fir.order 10\n");
+  auto there = in_folder(folder / "axes");
+  there.input = "filter_fir.type 1\nfilter_fir.order 300\n";
+  for (std::string const name : {"x.lis", "./x.lis", "../axes/x.lis"}) {
+    INFO(name);
+    auto const outcome = run_axisc({"lint", "-", "--stdin-filename", name}, there);
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.out, Catch::Matchers::Contains("AX3001"));
+  }
+  there.input = std::string("\xFF\xFE", 2) + std::string("E\0n\0", 4);
+  CHECK(run_axisc({"lint", "-", "--stdin-filename", "x.lis"}, there).status == 2);
+}
+
 TEST_CASE("all samples together show what lint says of each") {
   Conversation conversation;
   auto const files = sample_files();
