@@ -15,4 +15,18 @@ std::optional<Code> find_code(std::string_view word) {
   return std::nullopt;
 }
 
+std::vector<Code> find_codes(std::string_view word) {
+  std::vector<Code> found;
+  if (!word.ends_with('*')) {
+    if (auto const code = find_code(word)) found.push_back(*code);
+    return found;
+  }
+  word.remove_suffix(1);
+  std::string const upper = ascii::upper_case(word);
+  for (auto const& rule : validator::rules()) {
+    if (code_text(rule.code).starts_with(upper) || rule.name.starts_with(word)) found.push_back(rule.code);
+  }
+  return found;
+}
+
 }  // namespace axisc

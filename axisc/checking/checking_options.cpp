@@ -37,9 +37,9 @@ namespace {
 
 constexpr std::uint64_t most_threads = 1024;
 
-Code parse_code(std::string const& word) {
+std::vector<Code> parse_codes(std::string const& word) {
+  if (auto found = find_codes(word); !found.empty()) return found;
   std::vector<std::string> codes;
-  if (auto const code = find_code(word)) return *code;
   for (auto const& rule : validator::rules()) {
     codes.push_back(code_text(rule.code));
     codes.emplace_back(rule.name);
@@ -48,6 +48,17 @@ Code parse_code(std::string const& word) {
   auto const meant = schema::closest_word(word, known);
   throw Failure({meant.empty() ? says::unknown_code : says::unknown_code_meant,
                  {{"code", word}, {"meant", std::string(meant)}}});
+}
+
+std::vector<Code> codes_in(std::vector<std::string> const& lists) {
+  std::vector<Code> codes;
+  for (auto const& list : lists) {
+    for (auto const& word : split_list(list)) {
+      auto const found = parse_codes(word);
+      codes.insert(codes.end(), found.begin(), found.end());
+    }
+  }
+  return codes;
 }
 
 machine::AxisType parse_axis_type(std::string const& word) {
@@ -98,8 +109,14 @@ validator::CheckOptions check_options(CheckingOptions const& given) {
     options.build = validator::parse_build_version(*given.build);
     if (!options.build) throw Failure({says::bad_build, {{"value", *given.build}}});
   }
-  for (auto const& list : given.disabled) {
-    for (auto const& word : split_list(list)) options.disabled.push_back(parse_code(word));
+  options.disabled = codes_in(given.disabled);
+  if (given.selected.empty()) return options;
+  auto const selected = codes_in(given.selected);
+  for (auto const& rule : validator::rules()) {
+    // What could not be read or judged is always said.
+    bool const is_of_run = code_text(rule.code).starts_with("AX9");
+    bool const is_selected = std::find(selected.begin(), selected.end(), rule.code) != selected.end();
+    if (!is_of_run && !is_selected) options.disabled.push_back(rule.code);
   }
   return options;
 }

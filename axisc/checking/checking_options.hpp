@@ -20,6 +20,7 @@ struct CheckingOptions {
   std::optional<std::string> kind;
   std::optional<std::string> threads;
   std::vector<std::string> disabled;
+  std::vector<std::string> selected;  ///< if any: all others are disabled, but for those about the run (AX9)
   std::vector<std::string> schema_files;
   bool werror = false;
   bool quiet = false;

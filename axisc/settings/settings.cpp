@@ -52,8 +52,8 @@ constexpr JsonShape build_shape{
     .sentence = says::settings_build};
 constexpr std::array<std::string_view, 2> languages = {"en", "de"};
 constexpr JsonShape language_shape{.words = languages};
-constexpr JsonShape code_shape{.accepts = [](std::string_view text) { return find_code(text).has_value(); },
-                               .pattern = "^([Aa][Xx][0-9]{4}|[a-z][a-z0-9-]*)$",
+constexpr JsonShape code_shape{.accepts = [](std::string_view text) { return !find_codes(text).empty(); },
+                               .pattern = R"(^([Aa][Xx]([0-9]{4}|[0-9]{0,4}\*)|[a-z][a-z0-9-]*\*?)$)",
                                .sentence = says::code};
 constexpr JsonShape codes_shape{.kind = Kind::list, .items = &code_shape};
 constexpr std::array<std::string_view, 3> severities = {"error", "warning", "note"};
@@ -66,13 +66,22 @@ void store_build(JsonDocument const& /*document*/, JsonValue const& value, Setti
 
 template <typename Target>
 void store_codes(JsonDocument const& document, JsonValue const& value, Target& target) {
-  for (auto const item : value.items) target.disabled.push_back(*find_code(document[item].string));
+  for (auto const item : value.items) {
+    auto const codes = find_codes(document[item].string);
+    target.disabled.insert(target.disabled.end(), codes.begin(), codes.end());
+  }
 }
 
 void store_severities(JsonDocument const& document, JsonValue const& value, Settings& settings) {
-  for (auto const& member : value.members) {
-    auto const* const word = std::find(severities.begin(), severities.end(), document[member.value].string);
-    settings.severities[*find_code(member.key)] = static_cast<Severity>(word - severities.begin());
+  // A single code wins over the beginning of many.
+  for (bool const is_beginning : {true, false}) {
+    for (auto const& member : value.members) {
+      if (std::string_view(member.key).ends_with('*') != is_beginning) continue;
+      auto const* const word = std::find(severities.begin(), severities.end(), document[member.value].string);
+      for (auto const code : find_codes(member.key)) {
+        settings.severities[code] = static_cast<Severity>(word - severities.begin());
+      }
+    }
   }
 }
 

@@ -204,9 +204,12 @@ class Lint {
 
   [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
     if (failed_) return ExitStatus::failure;
+    auto const counts = report.counts();
+    bool const fails =
+        options_.fail_on != FailOn::never && (objectionable(options_.checking, counts) ||
+                                              (options_.fail_on == FailOn::warning && counts.warnings > 0));
     // Nothing was written: the files still contain what the patch would fix.
-    return would_change_ || objectionable(options_.checking, report.counts()) ? ExitStatus::findings
-                                                                              : ExitStatus::success;
+    return would_change_ || fails ? ExitStatus::findings : ExitStatus::success;
   }
 
   /// Writes the fixed files, or prints the patch.

@@ -18,8 +18,9 @@ constexpr Sentence option_finding_format{"format of the findings (default: text)
                                          "Format der Befunde (Standardwert: text)"};
 constexpr Sentence option_werror{"warnings lead to exit status 1 as well",
                                  "auch Warnungen führen zum Rückgabewert 1"};
-constexpr Sentence option_disable{"leave these codes out; may be repeated",
-                                  "diese Codes weglassen; mehrmals möglich"};
+constexpr Sentence option_disable{
+    "leave these codes out, by code, name or beginning (AX1*); may be repeated",
+    "diese Codes weglassen, als Code, Name oder Anfang (AX1*); mehrmals möglich"};
 constexpr Sentence option_pedantic{"print notes as well", "auch Hinweise zeigen"};
 constexpr Sentence option_jobs{
     "threads (default: one per core); the output is the same for every number",
@@ -54,7 +55,8 @@ void declare_checking(CommandLine& command_line, CheckingOptions& options) {
                        {"jsonl", FindingFormat::jsonl},
                        {"sarif", FindingFormat::sarif},
                        {"github", FindingFormat::github},
-                       {"gitlab", FindingFormat::gitlab}},
+                       {"gitlab", FindingFormat::gitlab},
+                       {"junit", FindingFormat::junit}},
                       options.format, says::option_finding_format);
   command_line.flag("--werror", options.werror, says::option_werror);
   command_line.values("--disable", "CODE[,CODE]", options.disabled, says::option_disable);

@@ -28,6 +28,12 @@ constexpr Sentence changed_baseline{
     "only; write the baseline without it",
     "--changed-since geht nicht zusammen mit --write-baseline, die nur die Befunde einiger Eingaben "
     "festhielte; die Baseline ohne es schreiben"};
+constexpr Sentence option_select{
+    "look for these codes alone, by code, name or beginning (AX3*); may be repeated",
+    "nur nach diesen Codes sehen, als Code, Name oder Anfang (AX3*); mehrmals möglich"};
+constexpr Sentence option_fail_on{
+    "what leads to exit status 1: error, warning (as --werror) or never; what cannot be read leads to 2",
+    "was zum Rückgabewert 1 führt: error, warning (wie --werror) oder never; nicht Lesbares führt zu 2"};
 constexpr Sentence option_statistics{"print how often each code was found (text and json)",
                                      "ausgeben, wie oft jeder Code gefunden wurde (text und json)"};
 constexpr Sentence option_fix{
@@ -49,6 +55,10 @@ namespace axisc::cli {
 void declare(CommandLine& command_line, LintOptions& options) {
   command_line.arguments("INPUT...", options.named, says::argument_inputs);
   declare_checking(command_line, options.checking);
+  command_line.values("--select", "CODE[,CODE]", options.checking.selected, says::option_select);
+  command_line.choice("--fail-on",
+                      {{"error", FailOn::error}, {"warning", FailOn::warning}, {"never", FailOn::never}},
+                      options.fail_on, says::option_fail_on);
   command_line.value("--stdin-filename", "NAME", options.stdin_filename, says::option_stdin_filename);
   declare_hook(command_line, options.hook);
   declare_alone(command_line, options.alone);

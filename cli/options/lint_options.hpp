@@ -4,11 +4,15 @@
 #include "axisc/checking/fixing.hpp"
 #include "cli/options/check_options.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace axisc::cli {
+
+/// The least severity that leads to exit status 1.
+enum class FailOn : std::uint8_t { error, warning, never };
 
 struct LintOptions {
   CheckingOptions checking;
@@ -18,6 +22,7 @@ struct LintOptions {
   std::optional<std::string> write_baseline;
   std::optional<std::string> fix;
   std::optional<std::string> stdin_filename;
+  FailOn fail_on = FailOn::error;
   bool hook = false;
   bool alone = false;
   bool diff = false;

@@ -12,6 +12,7 @@ std::unique_ptr<ReportWriter> report_writer(FindingFormat format, WriteOptions c
     case FindingFormat::sarif: return sarif_report(options, std::move(context));
     case FindingFormat::github: return github_report(options, std::move(context));
     case FindingFormat::gitlab: return gitlab_report(options, std::move(context));
+    case FindingFormat::junit: return junit_report(options, std::move(context));
     case FindingFormat::text: break;
   }
   return text_report(options);

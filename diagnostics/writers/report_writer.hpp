@@ -12,7 +12,7 @@
 
 namespace axisc {
 
-enum class FindingFormat : std::uint8_t { text, json, jsonl, sarif, github, gitlab };
+enum class FindingFormat : std::uint8_t { text, json, jsonl, sarif, github, gitlab, junit };
 
 class ReportWriter {
  public:
@@ -47,14 +47,14 @@ class ReportWriter {
 }
 /// True for formats of code hosts, which need a context.
 [[nodiscard]] constexpr bool needs_context(FindingFormat format) {
-  return has_fingerprints(format) || format == FindingFormat::github;
+  return has_fingerprints(format) || format == FindingFormat::github || format == FindingFormat::junit;
 }
 
 [[nodiscard]] std::unique_ptr<ReportWriter> report_writer(FindingFormat format, WriteOptions const& options,
                                                           ReportContext context = {});
 
-// Memory: that of one finding. SARIF keeps its results as text, because its head names the rules and files of
-// all.
+// Memory: that of one finding. SARIF and JUnit keep their results as text, because their heads name the rules
+// and files of all, or count them.
 
 /// See writers.hpp for the shape of a finding.
 [[nodiscard]] std::unique_ptr<ReportWriter> text_report(WriteOptions const& options);
@@ -78,5 +78,8 @@ class ReportWriter {
 
 /// A code quality report of GitLab, one line per finding: errors are major, warnings minor, notes info.
 [[nodiscard]] std::unique_ptr<ReportWriter> gitlab_report(WriteOptions const& options, ReportContext context);
+
+/// A JUnit report: one failed test per finding, its type the severity; without findings one test that passed.
+[[nodiscard]] std::unique_ptr<ReportWriter> junit_report(WriteOptions const& options, ReportContext context);
 
 }  // namespace axisc

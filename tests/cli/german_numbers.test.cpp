@@ -91,8 +91,8 @@ TEST_CASE("German outputs have decimal commas") {
     ++files;
     std::string const text = file_contents(entry.path());
     INFO(entry.path());
-    CHECK(lines_with_points(name.ends_with(".svg") ? without_markup(text) : text) ==
-          std::vector<std::string>());
+    bool const is_markup = name.ends_with(".svg") || name.ends_with(".junit");
+    CHECK(lines_with_points(is_markup ? without_markup(text) : text) == std::vector<std::string>());
   }
   CHECK(files > 25);
 }

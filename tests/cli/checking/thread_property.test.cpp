@@ -76,7 +76,7 @@ TEST_CASE("findings are the same for every number of threads") {
     };
     REQUIRE(run({"lint", "in/always.lis", "--write-baseline", "known.json"}).status == 0);
     auto const threads = std::to_string(2 + chance.below(10));
-    for (std::string const format : {"text", "json", "jsonl", "sarif", "github", "gitlab"}) {
+    for (std::string const format : {"text", "json", "jsonl", "sarif", "github", "gitlab", "junit"}) {
       INFO(format);
       std::vector<std::string> const lint{"lint", "in",         "--pedantic", "--format",
                                           format, "--baseline", "known.json"};

@@ -177,7 +177,7 @@ TEST_CASE("a batch without any input that is there fails cleanly") {
 TEST_CASE("findings of a batch come in input order, for every number of threads") {
   Plant const plant;
   for (int i = 1; i <= 9; i += 2) plant.folder.write("line/axis" + std::to_string(i) + ".lis", mistakes());
-  for (std::string const format : {"text", "json", "jsonl", "sarif", "github", "gitlab"}) {
+  for (std::string const format : {"text", "json", "jsonl", "sarif", "github", "gitlab", "junit"}) {
     auto const one = plant.compile({".", "--output-folder", "one", "-j", "1", "--format", format});
     auto const eight = plant.compile({".", "--output-folder", "eight", "-j", "8", "--format", format});
     CHECK(one.status == 1);
