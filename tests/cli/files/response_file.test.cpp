@@ -37,6 +37,18 @@ TEST_CASE("a response file names one input per line") {
   CHECK(outcome.err.empty());
 }
 
+TEST_CASE("response files of Windows have a byte order mark, or are refused as UTF-16") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  folder.write("x.lis", "filter_fir.type 1\nfilter_fir.order 300\n");
+  folder.write("utf8.txt", "\xEF\xBB\xBFx.lis\r\n");
+  CHECK(run_axisc({"lint", "@utf8.txt"}, there).status == 1);
+  folder.write("utf16.txt", std::string("\xFF\xFEx\0.\0l\0i\0s\0", 12));
+  auto const refused = run_axisc({"lint", "@utf16.txt"}, there);
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::Matchers::Contains("utf16.txt") && Catch::Matchers::Contains("UTF-16"));
+}
+
 TEST_CASE("a response file with NULs may hold names with line breaks", "[posix]") {
   Lists const lists;
   lists.folder.write("two\nlines.lis", sound);
