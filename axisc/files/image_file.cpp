@@ -30,6 +30,13 @@ constexpr Sentence size{
 constexpr Sentence version{
     "{file} has another format version ({status}); compile the lists with this axisc",
     "{file} hat eine andere Formatversion ({status}); die Listen mit diesem axisc kompilieren"};
+constexpr Sentence newer{
+    "{file} has content that this axisc does not know ({status}): a newer one wrote it; use that one, or "
+    "compile "
+    "the lists with this one",
+    "{file} hat Inhalt, den dieses axisc nicht kennt ({status}): ein neueres hat es geschrieben; dieses "
+    "verwenden "
+    "oder die Listen hiermit kompilieren"};
 constexpr Sentence checksum{
     "{file} was changed after it was written ({status}); copy it again or compile the lists again",
     "{file} wurde nach dem Schreiben verändert ({status}); neu kopieren oder die Listen neu kompilieren"};
@@ -57,6 +64,7 @@ SentenceRef sentence(axisrt_status status) {
     case AXISRT_WRONG_VERSION: return says::version;
     case AXISRT_WRONG_SIZE: return says::size;
     case AXISRT_WRONG_CHECKSUM: return says::checksum;
+    case AXISRT_UNKNOWN_KIND: return says::newer;
     default: return says::headline;
   }
 }
