@@ -211,8 +211,9 @@ TEST_CASE("the page about the runtime says how large an image is") {
     return std::to_string(fs::file_size(image));
   };
   auto const complete = size_of("");
-  CHECK_THAT(read_source_file("docs/runtime.md"),
-             Catch::Matchers::Contains("image of " + size_of("--strip") + " bytes stripped, " + complete + "\n"));
+  CHECK_THAT(
+      read_source_file("docs/runtime.md"),
+      Catch::Matchers::Contains("image of " + size_of("--strip") + " bytes stripped, " + complete + "\n"));
 }
 
 TEST_CASE("the page about settings shows what applies") {
