@@ -146,7 +146,8 @@ int axisc_message(axisc_workspace* workspace, char const* messages, axisc_bytes*
  * is open; axisc_message() is not ended. */
 void axisc_cancel(axisc_workspace* workspace);
 
-/* Why the last call was not AXISC_OK, in lines for people. Valid until the next call. Never null. */
+/* Why the last call returned a number below 0, in lines for people; empty after any other number, whose
+ * findings or replies say it. Valid until the next call. Never null. */
 char const* axisc_error(axisc_workspace const* workspace);
 
 /* For callbacks: replaces the bytes by a copy. AXISC_OK, AXISC_BAD_ARGUMENT or AXISC_NO_MEMORY. */

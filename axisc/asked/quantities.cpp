@@ -10,8 +10,9 @@
 
 namespace axisc::says {
 
-constexpr Sentence bad_positive{"{option} needs numbers above 0, not \"{value}\"",
-                                "{option} braucht Zahlen über 0, nicht \"{value}\""};
+constexpr Sentence bad_positive{
+    "{option} needs numbers above 0 in {unit}, without the unit, not \"{value}\"",
+    "{option} braucht Zahlen über 0 in {unit}, ohne die Einheit, nicht \"{value}\""};
 
 }  // namespace axisc::says
 
@@ -44,10 +45,10 @@ std::optional<double> parse_finite(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-double positive_number(std::string const& option, std::string const& word) {
+double positive_number(std::string const& option, std::string const& word, std::string const& unit) {
   auto const value = parse_finite(word);
   if (value && *value > 0) return *value;
-  throw Failure({says::bad_positive, {{"option", option}, {"value", word}}});
+  throw Failure({says::bad_positive, {{"option", option}, {"unit", unit}, {"value", word}}});
 }
 
 std::uint64_t positive_count(std::string const& option, std::string const& word, std::uint64_t most) {

@@ -18,8 +18,9 @@ namespace axisc {
 /// A decimal number as parse_number() reads it, without "inf" and "nan".
 [[nodiscard]] std::optional<double> parse_finite(std::string_view text);
 
-/// A number above 0; Failure for any other value of `option`.
-[[nodiscard]] double positive_number(std::string const& option, std::string const& word);
+/// A number above 0; Failure for any other value of `option`, and for one that has its unit.
+[[nodiscard]] double positive_number(std::string const& option, std::string const& word,
+                                     std::string const& unit);
 
 /// A whole number from 1 to `most`; Failure for any other value of `option`.
 [[nodiscard]] std::uint64_t positive_count(std::string const& option, std::string const& word,

@@ -11,6 +11,7 @@
 #include "cli/options/recorded_numbers.hpp"
 #include "cli/options/sentences.hpp"
 #include "cli/output/answer_output.hpp"
+#include "cli/output/decimal_comma.hpp"
 #include "cli/output/picture_output.hpp"
 #include "cli/output/printed_errors.hpp"
 
@@ -80,10 +81,11 @@ void read(CircleOptions& options) {
   question.recordings = options.recordings;
   question.recordings.insert(question.recordings.end(), options.inputs.begin() + 1, options.inputs.end());
   for (auto const& word : split_list(options.feeds.value_or(""))) {
-    question.feeds.push_back(positive_number("--feed", word));
+    question.feeds.push_back(positive_number("--feed", word, "mm/min"));
   }
-  if (options.radius) question.radius_mm = positive_number("--radius", *options.radius);
-  if (options.tolerance) question.tolerance_um = positive_number("--tolerance", *options.tolerance);
+  if (options.radius) question.radius_mm = positive_number("--radius", *options.radius, "mm");
+  if (options.tolerance)
+    question.tolerance_um = positive_number("--tolerance", *options.tolerance, "\u00B5m");
   question.recorded.setpoints = axis_columns("--setpoint", options.setpoints);
   question.recorded.actuals = axis_columns("--actual", options.actuals);
   question.recorded.units = options.numbers.units();
@@ -99,6 +101,7 @@ ExitStatus circle(Invocation const& invocation) {
   command_line.require(!options.inputs.empty(), "MACHINE");
   options.picture.check();
   read(options);
+  remark_decimal_comma(invocation, "--feed", options.feeds);
   Workspace workspace(with_unlike_delays(overrides_with(options.cycle_time)));
   auto const test =
       circular_test(workspace, options.question,

@@ -9,6 +9,7 @@
 #include "cli/options/contour_words.hpp"
 #include "cli/options/sentences.hpp"
 #include "cli/output/answer_output.hpp"
+#include "cli/output/decimal_comma.hpp"
 #include "cli/output/printed_errors.hpp"
 
 namespace axisc::cli::says {
@@ -52,6 +53,8 @@ ExitStatus contour(Invocation const& invocation) {
   question.machine = *input;
   question.language = invocation.language;
   question.wanted = read_contour_words(words);
+  remark_decimal_comma(invocation, "--feed", words.feeds);
+  remark_decimal_comma(invocation, "--order", words.orders);
   Workspace workspace(overrides_with(cycle_time));
   MachineRequest const request{.input = *input, .alone = alone};
   auto const errors = printed_errors(invocation, use_color(command_line.color(), system::Stream::error));

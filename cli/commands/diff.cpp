@@ -89,7 +89,7 @@ ExitStatus diff(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_two_sides(command_line, options);
   constexpr double feed_otherwise = 1000;
-  double const feed = options.feed ? positive_number("--feed", *options.feed) : feed_otherwise;
+  double const feed = options.feed ? positive_number("--feed", *options.feed, "mm/min") : feed_otherwise;
   Workspace workspace(overrides_with(options.cycle_time, options.schema_files));
   bool const color = use_color(command_line.color(), system::Stream::error);
   auto const sides = compared_sides(workspace, options.inputs.front(), options.inputs.back(),

@@ -123,8 +123,9 @@ void declare(CommandLine& command_line, PlotOptions& options) {
 
 void read_move(PlotOptions& options) {
   auto& move = options.question.move_at_feed;
-  if (options.contour.feeds) move.feed_mm_per_min = positive_number("--feed", *options.contour.feeds);
-  if (options.distance) move.distance_mm = positive_number("--distance", *options.distance);
+  if (options.contour.feeds)
+    move.feed_mm_per_min = positive_number("--feed", *options.contour.feeds, "mm/min");
+  if (options.distance) move.distance_mm = positive_number("--distance", *options.distance, "mm");
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ ExitStatus plot(Invocation const& invocation) {
   question.contour = read_contour_words(options.contour);
   question.units = options.numbers.units();
   if (question.kind == PictureKind::dynamics) read_move(options);
-  if (options.tolerance) question.tolerance_mm = positive_number("--tolerance", *options.tolerance);
+  if (options.tolerance) question.tolerance_mm = positive_number("--tolerance", *options.tolerance, "mm");
   std::vector<std::string> inputs{question.input};
   for (auto const& other :
        {question.before, question.measured, question.plant, question.program, question.recording}) {

@@ -9,6 +9,7 @@
 #include "cli/options/contour_words.hpp"
 #include "cli/options/named_files.hpp"
 #include "cli/options/sentences.hpp"
+#include "cli/output/decimal_comma.hpp"
 #include "cli/output/printed_errors.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/terminal.hpp"
@@ -97,6 +98,7 @@ ExitStatus report(Invocation const& invocation) {
                           .contour = read_contour_words(options.contour),
                           .alone = options.alone,
                           .language = invocation.language};
+  remark_decimal_comma(invocation, "--feed", options.contour.feeds);
   if (!options.contour.feeds) question.contour.feeds = ReportQuestion().contour.feeds;
   Workspace workspace(overrides_with(options.cycle_time));
   std::vector<Message> notes;

@@ -7,6 +7,7 @@
 #include "cli/options/command_line.hpp"
 #include "cli/options/sentences.hpp"
 #include "cli/output/answer_output.hpp"
+#include "cli/output/decimal_comma.hpp"
 #include "cli/output/printed_errors.hpp"
 
 namespace axisc::cli::says {
@@ -44,6 +45,7 @@ ExitStatus response(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(path.has_value(), "INPUT");
   request.input = question.image = *path;
+  remark_decimal_comma(invocation, "--frequencies", frequencies);
   Workspace workspace(overrides_with(cycle_time));
   auto const errors = printed_errors(invocation, use_color(command_line.color(), system::Stream::error));
   auto const input = compiled_input(workspace, request, errors);

@@ -10,6 +10,7 @@
 #include "cli/options/command_line.hpp"
 #include "cli/options/sentences.hpp"
 #include "cli/output/answer_output.hpp"
+#include "cli/output/decimal_comma.hpp"
 #include "cli/output/picture_output.hpp"
 #include "cli/output/printed_errors.hpp"
 
@@ -127,9 +128,10 @@ ExitStatus suggest(Invocation const& invocation) {
   if (options.diff && (draws || options.format != presentation::Format::text)) {
     throw Failure({says::diff_is_output, {{"other", draws ? "-o -" : "--format"}}});
   }
-  if (options.tolerance) question.tolerance_mm = positive_number("--tolerance", *options.tolerance);
-  if (options.feed) question.feed_mm_per_min = positive_number("--feed", *options.feed);
-  if (options.radius) question.radius_mm = positive_number("--radius", *options.radius);
+  if (options.tolerance) question.tolerance_mm = positive_number("--tolerance", *options.tolerance, "mm");
+  if (options.feed) question.feed_mm_per_min = positive_number("--feed", *options.feed, "mm/min");
+  if (options.radius) question.radius_mm = positive_number("--radius", *options.radius, "mm");
+  remark_decimal_comma(invocation, "--resonance", question.resonances);
   question.machine.input = options.inputs.front();
   question.measured.insert(question.measured.end(), options.inputs.begin() + 1, options.inputs.end());
   Workspace workspace(overrides_with(options.cycle_time));

@@ -29,8 +29,9 @@ ContourRequest read_contour_words(ContourWords const& words) {
   ContourRequest wanted;
   if (words.feeds) {
     wanted.feeds.clear();
-    for (auto const& word : split_list(*words.feeds)) wanted.feeds.push_back(positive_number("--feed", word));
-    if (wanted.feeds.empty()) wanted.feeds.push_back(positive_number("--feed", *words.feeds));
+    for (auto const& word : split_list(*words.feeds))
+      wanted.feeds.push_back(positive_number("--feed", word, "mm/min"));
+    if (wanted.feeds.empty()) wanted.feeds.push_back(positive_number("--feed", *words.feeds, "mm/min"));
   }
   if (words.orders) {
     wanted.orders.clear();
@@ -54,8 +55,8 @@ ContourRequest read_contour_words(ContourWords const& words) {
     }
     wanted.angle_deg = *angle;
   }
-  if (words.radius) wanted.radius_mm = positive_number("--radius", *words.radius);
-  if (words.tolerance) wanted.tolerance_mm = positive_number("--tolerance", *words.tolerance);
+  if (words.radius) wanted.radius_mm = positive_number("--radius", *words.radius, "mm");
+  if (words.tolerance) wanted.tolerance_mm = positive_number("--tolerance", *words.tolerance, "mm");
   return wanted;
 }
 

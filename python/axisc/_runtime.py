@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 import os
 from array import array
 from ctypes import byref
@@ -36,6 +37,13 @@ def _require(number: int) -> None:
         raise RuntimeFailure(number)
 
 
+def _uint32(name: str, value: int) -> int:
+    """ctypes takes the lowest 32 bits of whatever number it is given."""
+    if not 0 <= operator.index(value) < 1 << 32:
+        raise ValueError(f"{name} cannot be {value}: a whole number from 0 to {(1 << 32) - 1}")
+    return operator.index(value)
+
+
 def _aligned(size: int) -> Any:
     """A ctypes array at a multiple of 64, and what keeps it."""
     memory = ctypes.create_string_buffer(size + _ALIGNMENT)
@@ -60,6 +68,7 @@ class Runtime:
             raise ValueError(f"level cannot be {level!r}: {', '.join(_levels)}")
         if cycle_time_ns is None:
             cycle_time_ns = int.from_bytes(image[_CYCLE_TIME_AT : _CYCLE_TIME_AT + 4], "little")
+        cycle_time_ns = _uint32("cycle_time_ns", cycle_time_ns)
         library = runtime_library()
         self._image = _aligned(len(image))
         self._image.raw = image
@@ -154,7 +163,7 @@ class Runtime:
         for name, value in given.items():
             if value is not None:
                 command.keywords |= _keywords[name]
-                setattr(command, name, value)
+                setattr(command, name, _uint32(name, value) if name == "order" else value)
         _require(runtime_library().axisrt_command(self._runtime, self._number(group, self.groups), byref(command)))
 
     def _execute(self, setpoints: int, outputs: int, values: int) -> None:

@@ -185,8 +185,8 @@ static axisrt_c_status read_section(const uint8_t* image, const uint8_t* entry, 
     return AXISRT_C_OUT_OF_BOUNDS;
   if (offset % 64 != 0 || offset < *free_from) return AXISRT_C_OVERLAP;
   *free_from = offset + size;
-  if (own == 0) { /* names, lists and values are not needed here */
-    return (kind >= 16 && kind <= 19) || u32(entry + 4) == 1 ? AXISRT_C_OK : AXISRT_C_UNKNOWN_KIND;
+  if (own == 0) { /* names, lists, values and bounds are not needed here */
+    return (kind >= 16 && kind <= 20) || u32(entry + 4) == 1 ? AXISRT_C_OK : AXISRT_C_UNKNOWN_KIND;
   }
   if (v->table[own].first != NULL || stride < record_size[own]) return AXISRT_C_OUT_OF_BOUNDS;
   v->table[own].first = image + (size_t)offset;

@@ -404,16 +404,18 @@ int axisrt_swap_done(const axisrt* runtime);
 typedef struct axisrt_recorder axisrt_recorder;
 
 /* Bytes that axisrt_recorder_start needs for at least `cycles` cycles (and 256 words of commands and resets
- * in between); aligned to AXISRT_ALIGNMENT. `config`: image, signature check and cycle time as for
- * axisrt_create of `runtime`. Returns what axisrt_memory_size returns. Not in the cycle. */
+ * in between); aligned to AXISRT_ALIGNMENT. `config`: image and signature check as for axisrt_create of
+ * `runtime`; its cycle time and level are not looked at, a recorder has those of the runtime. Returns what
+ * axisrt_memory_size returns. Not in the cycle. */
 axisrt_status axisrt_recorder_size(const axisrt* runtime, const axisrt_config* config, uint32_t cycles,
                                    size_t* bytes);
 
 /* Begins to record; `memory` of the configuration is the recorder's, until it was stopped and dumped.
- * AXISRT_BUSY where the runtime is recorded already or another image is prepared; AXISRT_OTHER_IMAGE unless
+ * AXISRT_BUSY where the runtime is recorded already, or was prepared and its change is not over
+ * (axisrt_swap_done); the one that works may be recorded while another is prepared. AXISRT_OTHER_IMAGE unless
  * the image is the runtime's own, header included; AXISRT_BAD_ARGUMENT where the memory touches that of the
- * runtime; else what axisrt_create returns. A change of image ends the recording (axisrt_swap). Cost:
- * axisrt_create, and a copy of the state. Not in the cycle. */
+ * runtime (that of a prepared one is not known here); else what axisrt_create returns. A change of image ends
+ * the recording (axisrt_swap). Cost: axisrt_create, and a copy of the state. Not in the cycle. */
 axisrt_status axisrt_recorder_start(axisrt* runtime, const axisrt_config* config, uint32_t cycles,
                                     axisrt_recorder** recorder);
 

@@ -203,6 +203,19 @@ TEST_CASE("the pages about the position loop and about proofs show what their co
   }
 }
 
+TEST_CASE("the page about the runtime says how large an image is") {
+  TemporaryFolder const folder;
+  auto const image = folder / "mill.axim";
+  auto const size_of = [&](std::string const& options) {
+    shell("axisc compile -q \"$samples/mill\" -o mill.axim " + options, folder.path());
+    return std::to_string(fs::file_size(image));
+  };
+  auto const complete = size_of("");
+  CHECK_THAT(
+      read_source_file("docs/runtime.md"),
+      Catch::Matchers::Contains("image of " + size_of("--strip") + " bytes stripped, " + complete + "\n"));
+}
+
 TEST_CASE("the page about settings shows what applies") {
   TemporaryFolder const folder;
   auto const document = read_source_file("docs/settings.md");

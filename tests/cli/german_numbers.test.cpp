@@ -131,4 +131,31 @@ TEST_CASE("German answers have decimal commas") {
   }
 }
 
+TEST_CASE("a list of two that may be a number with a decimal comma is told") {
+  auto const told = [](std::vector<std::string> const& arguments) {
+    return run_axisc(arguments, in_folder(AXISC_SOURCE_DIR "/samples")).err;
+  };
+  CHECK(told({"contour", "mill", "--feed", "1500,5"}) ==
+        "axisc: warning: --feed \"1500,5\" is two values, 1500 and 5; a decimal point is written \".\"\n");
+  CHECK_THAT(told({"suggest", "resonance", "--axis", "X", "--resonance", "48,5Hz", "--lang", "de"}),
+             Catch::Matchers::Contains("--resonance \"48,5Hz\" sind zwei Werte, 48 und 5Hz;"));
+  CHECK_THAT(told({"response", "mill", "--frequencies", "48,25"}),
+             Catch::Matchers::Contains("two values, 48 and 25;"));
+  CHECK_THAT(told({"circle", "mill", "--feed", "1500,5", "--radius", "10"}),
+             Catch::Matchers::Contains("two values"));
+  for (std::string const list : {"10,20", "48,125", "48, 5", "48,5,9", "48.5,9", "48", "48,9.5", "0,50"}) {
+    CHECK_THAT(told({"response", "mill", "--frequencies", list}), !Catch::Matchers::Contains("two values"));
+  }
+  CHECK_THAT(told({"suggest", "resonance", "--axis", "X", "--resonance", "48,5:0.02"}),
+             Catch::Matchers::Contains("two values, 48 and 5:0.02;"));
+}
+
+TEST_CASE("a number with its unit is refused with the unit that it has without") {
+  auto const refused =
+      run_axisc({"suggest", "resonance", "--axis", "X", "--resonance", "48", "--feed", "4000mm/min"},
+                in_folder(AXISC_SOURCE_DIR "/samples"));
+  CHECK(refused.err ==
+        "axisc: error: --feed needs numbers above 0 in mm/min, without the unit, not \"4000mm/min\"\n");
+}
+
 }  // namespace german_numbers_test

@@ -149,6 +149,8 @@ TEST_CASE("axisc.h gives the findings of what it compiles") {
   CHECK(image.data == nullptr);
   CHECK(findings_in(std::string(findings.data, findings.size)) ==
         findings_in(opened.call(axisc_check, list)));
+  CHECK(opened.status == AXISC_FINDINGS);
+  CHECK(opened.error().empty());  // the findings say it
   axisc_free(&findings);
 }
 
@@ -468,6 +470,7 @@ TEST_CASE("axisc.h speaks the protocol of language servers") {
   Opened left;
   left.call(axisc_message, Json({exit}).dump());
   CHECK(left.status == AXISC_BROKEN_OFF);
+  CHECK(left.error().empty());
 }
 
 TEST_CASE("options of axisc_open override what files say, or fill in what they do not say") {

@@ -369,6 +369,21 @@ class Executed(unittest.TestCase):
         with self.assertRaisesRegex(axisc.RuntimeFailure, "AXISRT_NO_BANK"):
             runtime.command("ON", order=33)
 
+    def test_numbers_beyond_32_bits(self):
+        """Their lowest 32 bits are those of numbers that the runtime takes."""
+        for cycle_time in (2**32 + 1000000, -(2**32) + 1000000):
+            with self.assertRaisesRegex(ValueError, f"cycle_time_ns cannot be {cycle_time}: .*0 to 4294967295"):
+                axisc.Runtime(self.image, cycle_time_ns=cycle_time)
+        runtime = axisc.Runtime(self.image)
+        runtime.reset(None, 0)
+        for order in (2**32 + 60, -1, 60 - 2**32):
+            with self.assertRaisesRegex(ValueError, f"order cannot be {order}: .*0 to 4294967295"):
+                runtime.command("ON", order=order)
+        with self.assertRaises(TypeError):
+            runtime.command("ON", order=60.0)
+        with self.assertRaisesRegex(axisc.RuntimeFailure, "AXISRT_NO_BANK"):
+            runtime.command("ON", order=2**32 - 1)
+
 
 class Documentation(unittest.TestCase):
     def test_the_blocks_of_the_page(self):

@@ -126,14 +126,15 @@ std::string line_of(std::string const& name, std::string const& text, EffectiveV
 }
 
 Fix fix_of(validator::LoadedMachine const& machine, std::size_t axis, SourceSet const& sources,
-           std::vector<ListLine> const& lines) {
+           std::vector<ListLine> const& lines, Defaults defaults) {
   auto const& loaded = machine.axes[axis];
   auto const& list = machine.lists[loaded.list].list;
   auto const& source = sources[list.source];
   Fix fix;
   for (auto const& [name, text] : lines) {
     auto const& value = value_of(loaded.merged.values, name);
-    if (is_set_so(value, text)) continue;
+    bool const is_said = value.set() || defaults == Defaults::left_out;
+    if (is_said && is_set_so(value, text)) continue;
     if (value.origin == validator::Origin::axis_list && value.value_place()) {
       fix.edits.push_back({*value.value_place(), text});
       continue;
@@ -196,7 +197,7 @@ AxisLines lines_of(validator::LoadedMachine const& machine, std::size_t axis, tu
 }
 
 ListEdits edit_lists(validator::LoadedMachine const& machine, LinesByAxis const& lines,
-                     SourceSet const& sources) {
+                     SourceSet const& sources, Defaults defaults) {
   ListEdits edits;
   FixBatch batch(sources);
   std::deque<Fix> fixes;
@@ -205,7 +206,7 @@ ListEdits edit_lists(validator::LoadedMachine const& machine, LinesByAxis const&
     auto const list = machine.axes[axis].list;
     if (!written.insert(list).second) continue;
     auto const& source = sources[machine.lists[list].list.source];
-    fixes.push_back(fix_of(machine, axis, sources, wanted));
+    fixes.push_back(fix_of(machine, axis, sources, wanted, defaults));
     if (fixes.back().edits.empty()) continue;
     if (source.is_translation() || !batch.add(fixes.back())) {
       return {.original = {}, .edited = {}, .refused = source.name()};

@@ -6,6 +6,7 @@
 #include "validator/loading/loading.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,8 +36,11 @@ struct ListEdits {
 /// The lines of some axes, by index.
 using LinesByAxis = std::vector<std::pair<std::size_t, std::vector<tuning::ListLine>>>;
 
+/// What becomes of a line that says the default where no list gives the parameter.
+enum class Defaults : std::uint8_t { left_out, written };
+
 [[nodiscard]] ListEdits edit_lists(validator::LoadedMachine const& machine, LinesByAxis const& lines,
-                                   SourceSet const& sources);
+                                   SourceSet const& sources, Defaults defaults = Defaults::left_out);
 
 [[nodiscard]] ListEdits edit_lists(validator::LoadedMachine const& machine,
                                    std::vector<std::size_t> const& axes, SourceSet const& sources,

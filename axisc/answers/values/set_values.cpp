@@ -193,7 +193,8 @@ std::optional<NewValues> set_values(Workspace& workspace, SetQuestion const& que
   auto const machine = loaded_machine(workspace, input.machine, sources);
   auto const [axis, words] = chosen_axis(machine, sources, input, question.words);
   auto const lines = lines_of(machine.axes[axis], sources, words);
-  NewValues made{.edits = edit_lists(machine, {{axis, lines}}, sources), .notes = notes_about(machine, axis)};
+  NewValues made{.edits = edit_lists(machine, {{axis, lines}}, sources, Defaults::written),
+                 .notes = notes_about(machine, axis)};
   if (made.edits.refused) throw Failure({says::cannot_edit, {{"file", *made.edits.refused}}});
   if (made.edits.edited.empty()) return made;
   ChangeableFiles const changeable({question.machine.input});

@@ -103,6 +103,19 @@ TEST_CASE("encoding, line ends, byte order mark and comments stay") {
   check("\tkopf.mds_ident\t1\n\n\n" + plain);
 }
 
+TEST_CASE("a default is written where no list says it, and not where the default list does") {
+  TemporaryFolder const folder;
+  auto const list = folder.write("x.lis", plain);
+  CHECK(set(list, {"filter_fir.share=100"}).bytes ==
+        replaced(plain, "Ende\n", "filter_fir.share          100\nEnde\n"));
+  CHECK(set(list, {"filter[1].type=LOWPASS", "filter[1].fg_f0=40"}).bytes ==
+        replaced(plain, "Ende\n", "filter[1].type            LOWPASS\nfilter[1].fg_f0           40\nEnde\n"));
+  folder.write("default.lis", "filter_fir.share 100\nEnde\n");
+  auto const machine = folder.write(
+      "machine.json", R"({"default_list": "default.lis", "axes": [{"name": "X", "list": "x.lis"}]})");
+  CHECK(set(machine, {"X", "filter_fir.share=100"}).bytes.empty());
+}
+
 TEST_CASE("setting a value again writes nothing") {
   TemporaryFolder const folder;
   for (std::string const assignment :

@@ -51,6 +51,17 @@ TEST_CASE("a frequency response for readers has decibels, degrees and millisecon
                               "  x                 50      -3.01        -45             1.618\n"));
 }
 
+TEST_CASE("the answer names the port as the command line does") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  auto const rack = std::string(AXISC_SOURCE_DIR) + "/samples/motion/rack";
+  REQUIRE(run_axisc({"compile", rack, "-o", "rack.axim", "--quiet"}, there).status == 0);
+  for (std::string const port : {"setpoint", "velocity"}) {
+    auto const outcome = run_axisc({"response", "rack.axim", "--port", port, "--format", "json"}, there);
+    CHECK_THAT(outcome.out, Catch::Matchers::Contains("\"port\": \"" + port + "\""));
+  }
+}
+
 TEST_CASE("what response refuses") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);

@@ -169,4 +169,18 @@ TEST_CASE("figures of chains that are known without computing them") {
   CHECK(delay["corner_frequency_hz"].is_null());
 }
 
+TEST_CASE("a filter of linear phase that only a program's command fills has no kernel at the start") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  folder.write("x.lis", "kopf.achs_nr 1\nfilter_fir.type 1\nfilter_fir.order 0\nfilter_fir.enable 0\nEnde\n");
+  folder.write("y.lis",
+               "kopf.achs_nr 2\nfilter_fir.type 1\nfilter_fir.order 20\nfilter_fir.enable 1\nEnde\n");
+  folder.write("machine.json",
+               R"({"cycle_time_us": 1000, "filter_sets": ["#FILTER ON [ORDER=60]"],
+                   "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}]})");
+  REQUIRE(run_axisc({"compile", "machine.json", "-o", "m.axim", "--quiet"}, there).status == 0);
+  auto const json = run_axisc({"inspect", "m.axim", "--format", "json"}, there).out;
+  CHECK(nlohmann::json::parse(json)["axes"][0]["linear_phase_filter"]["kernel"].is_null());
+}
+
 }  // namespace inspect_test

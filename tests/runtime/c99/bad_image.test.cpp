@@ -1,8 +1,10 @@
 // Damaged images are refused by axisrt_c, or executed without a fault (the sanitizers watch); what axisrt
 // accepts it accepts, and computes the same.
 #include "support/catch.hpp"
+#include "tests/runtime/bounds/bounded_image.hpp"
 #include "tests/runtime/c99/motion.hpp"
 #include "tests/runtime/c99/random_image.hpp"
+#include "tests/runtime/mutation.hpp"
 
 #include <string>
 #include <vector>
@@ -122,6 +124,34 @@ TEST_CASE("axisrt_c accepts what a later minor version may add, and a signature"
   for (char const letter : std::string("AXSG\1")) is_signed.push_back(static_cast<std::uint8_t>(letter));
   is_signed.resize(is_signed.size() + 75);
   CHECK(CRuntime(is_signed).status == AXISRT_C_OK);
+}
+
+TEST_CASE("axisrt and axisrt_c accept any flags of the sections that they know") {
+  Bytes const image = with_bounds(channel_image());
+  auto const sections = static_cast<std::uint32_t>(peek(image, 28, 4));
+  REQUIRE(entry_offset(image, bounds_kind) != 0);
+  for (std::uint32_t section = 0; section < sections; ++section) {
+    std::size_t const entry = static_cast<std::size_t>(peek(image, 8, 4)) + std::size_t{32} * section;
+    for (std::uint32_t const flags : {0U, 1U, 3U, 0x80000000U}) {
+      Bytes changed = image;
+      poke(changed, entry + 4, flags, 4);
+      repair_checksums(changed);
+      INFO("kind " << peek(changed, entry, 4) << ", flags " << flags);
+      CHECK(verify(changed) == AXISRT_OK);
+      CHECK(CRuntime(changed).status == AXISRT_C_OK);
+    }
+  }
+}
+
+TEST_CASE("axisrt and axisrt_c skip unknown sections whose flags are 1, and no others") {
+  ImageRecord image = channel_image();
+  for (std::uint32_t const flags : {0U, 1U, 2U, 3U, 0x80000001U}) {
+    image.foreign = ForeignSection{.kind = 99, .flags = flags, .content = Bytes(80, 7)};
+    Bytes const bytes = write_image(image);
+    INFO(flags);
+    CHECK(verify(bytes) == (flags == 1 ? AXISRT_OK : AXISRT_UNKNOWN_KIND));
+    CHECK(CRuntime(bytes).status == (flags == 1 ? AXISRT_C_OK : AXISRT_C_UNKNOWN_KIND));
+  }
 }
 
 TEST_CASE("memory of axisrt_c that is too small or misaligned is refused") {

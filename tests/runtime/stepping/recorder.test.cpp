@@ -424,6 +424,64 @@ TEST_CASE("a stopped recorder keeps what it has, and another may start") {
   CHECK(replay(recorded.image(), recorded.dump()).differences == 0);
 }
 
+TEST_CASE("a recorder has the cycle time and the level of its runtime, whatever its configuration says") {
+  Recorded recorded(channel_image(), 10);
+  axisrt_recorder_stop(recorded.recorder);
+  axisrt_config config = Recorded::config_of(recorded.image());
+  config.cycle_time_ns = 7;
+  config.level = 99;
+  std::size_t size = 0;
+  REQUIRE(axisrt_recorder_size(recorded.runtime.runtime, &config, 10, &size) == AXISRT_OK);
+  AlignedMemory memory(size);
+  config.memory = memory.data();
+  config.memory_size = memory.size();
+  REQUIRE(axisrt_recorder_start(recorded.runtime.runtime, &config, 10, &recorded.recorder) == AXISRT_OK);
+  Controller controller(6);
+  for (int i = 0; i < 30; ++i) controller.cycle(recorded.runtime);
+  CHECK(replay(recorded.image(), recorded.dump()).differences == 0);
+}
+
+TEST_CASE("a runtime is recorded while another is prepared, and that one once its change is over") {
+  ImageRecord plain;
+  plain.axes.resize(2);
+  Recorded recorded(plain, 10);
+  axisrt_recorder_stop(recorded.recorder);
+  axisrt* const active = recorded.runtime.runtime;
+  for (std::uint32_t axis = 0; axis < 2; ++axis) REQUIRE(axisrt_reset(active, axis, 5) == AXISRT_OK);
+  axisrt_config config = Recorded::config_of(recorded.image());
+  std::size_t size = 0;
+  std::size_t alignment = 0;
+  REQUIRE(axisrt_memory_size(&config, &size, &alignment) == AXISRT_OK);
+  AlignedMemory of_prepared(size);
+  config.memory = of_prepared.data();
+  config.memory_size = of_prepared.size();
+  axisrt* prepared = nullptr;
+  REQUIRE(axisrt_prepare(active, &config, 0, &prepared) == AXISRT_OK);
+
+  recorded.start(10);
+  AlignedMemory of_another(1 << 16);
+  config.memory = of_another.data();
+  config.memory_size = of_another.size();
+  axisrt_recorder* another = nullptr;
+  CHECK(axisrt_recorder_start(prepared, &config, 10, &another) == AXISRT_BUSY);
+  std::vector<double> const in(2, 5);
+  std::vector<double> out(2);
+  for (int cycle = 0; cycle < 100; ++cycle) {
+    REQUIRE(axisrt_step(active, in.data(), out.data(), nullptr) == AXISRT_OK);
+    REQUIRE(axisrt_shadow_step(prepared) == AXISRT_OK);
+  }
+  Bytes const before = recorded.dump();
+  CHECK(replay(recorded.image(), before).differences == 0);
+
+  REQUIRE(axisrt_swap(prepared) == AXISRT_OK);
+  CHECK(axisrt_recorder_start(prepared, &config, 10, &another) == AXISRT_BUSY);
+  while (axisrt_swap_done(prepared) == 0) {
+    REQUIRE(axisrt_step(prepared, in.data(), out.data(), nullptr) == AXISRT_OK);
+  }
+  CHECK(recorded.dump() == before);  // the change has ended the recording
+  CHECK(axisrt_recorder_start(prepared, &config, 10, &another) == AXISRT_OK);
+}
+
 TEST_CASE("what cannot be recorded or restored is refused") {
   Recorded recorded(channel_image(), 10);
   axisrt_config config = Recorded::config_of(recorded.image());
