@@ -261,4 +261,52 @@ TEST_CASE("a count above the lists that are named is an error, no axis at all is
   CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
 }
 
+TEST_CASE("AX4014: a gantry of the lists that a start-up list names") {
+  Contents contents = controller();
+  contents["y.lis"] += "kenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 1\n";
+  SECTION("without a fault") {
+    contents["x.lis"] += "kenngr.achs_mode 0x10001\n";
+    CHECK_FALSE(contains(found(contents), "y.lis:4 AX4014 error"));
+  }
+  SECTION("the master bit is missing") {
+    contents["x.lis"] += "kenngr.achs_mode 0x1\n";
+    CHECK(contains(found(contents), "y.lis:4 AX4014 error"));
+    CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+  }
+  SECTION("no such axis") {
+    contents["y.lis"] += "kenngr.gantry_ax_nr 99\n";
+    CHECK(contains(found(contents), "y.lis:5 AX4014 error"));
+    // Its list may be the one that is missing.
+    contents["hochlauf.lis"] += "zahl_mds 5\n";
+    CHECK_FALSE(contains(found(contents), "y.lis:5 AX4014 error"));
+  }
+}
+
+TEST_CASE("AX4015: an axis of a start-up list whose list gives no number, and nothing else because of it") {
+  Contents contents = controller();
+  contents["y.lis"] = "kopf.log_achs_name Y_Achse\n";
+  auto const lines = found(contents);
+  CHECK(contains(lines, "y.lis:1 AX4015 error"));
+  CHECK_FALSE(contains(lines, "sda2.lis:1 AX7006 error"));
+  CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+  SECTION("a number in the default list is none of its own") {
+    contents["default.lis"] = "kopf.achs_nr 0\n";
+    CHECK(contains(found(contents), "y.lis:1 AX4015 error"));
+  }
+  SECTION("a line that cannot be used is its own mistake") {
+    contents["y.lis"] = "kopf.achs_nr two\n";
+    CHECK_FALSE(contains(found(contents), "y.lis:1 AX4015 error"));
+  }
+  SECTION("a misspelt name is its own mistake") {
+    contents["y.lis"] = "kopf.achs_nrr 2\n";
+    auto const misspelt = found(contents);
+    CHECK(contains(misspelt, "y.lis:1 AX2001 warning"));
+    CHECK_FALSE(contains(misspelt, "y.lis:1 AX4015 error"));
+  }
+  SECTION("an update in XML holds only what changes") {
+    contents["y.lis"] = R"(<AX_MDS><P-AXIS-00297 Value="Y"/></AX_MDS>)";
+    CHECK_FALSE(contains(found(contents), "y.lis:1 AX4015 error"));
+  }
+}
+
 }  // namespace start_up_test
