@@ -53,7 +53,8 @@ ExitStatus machine(Invocation const& invocation) {
     invocation.streams.err.write(place + ": " + text_of(reason, invocation.language) + "\n");
   }
   print(machine_answer(machine, sources), format, invocation, command_line);
-  return machine.complete ? ExitStatus::success : ExitStatus::findings;
+  bool const is_understood = machine.complete && machine.findings.empty();
+  return is_understood ? ExitStatus::success : ExitStatus::findings;
 }
 
 }  // namespace axisc::cli

@@ -89,6 +89,15 @@ TEST_CASE("the command line's cycle time wins over the real-time list") {
   CHECK(loaded(controller(), options).cycle_time->nanoseconds == 1'000'000);
 }
 
+TEST_CASE(
+    "a cycle time of the real-time list that no control runs with is an error there, and none is taken") {
+  Contents contents = controller();
+  contents["rt.lis"] = "cycle_time 2\n";
+  CHECK(contains(found(contents), "rt.lis:1 AX4020 error"));
+  CHECK_FALSE(loaded(contents).cycle_time);
+  CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+}
+
 TEST_CASE("two axes never have one name") {
   Contents contents = controller();
   contents["s.lis"] = "kopf.achs_nr 1\n";

@@ -83,8 +83,8 @@ void check_zero(std::vector<Numbered> const& axes, Report& report) {
   }
 }
 
-/// Start-up lists and projects join axes and channels by number. An update in XML holds only what changes, and
-/// a list that has lost its text is another rule's.
+/// Start-up lists and projects join axes and channels by number. An update in XML holds only what changes,
+/// and a list that has lost its text is another rule's.
 void check_missing(MachineContext const& context, Report& report) {
   LoadedMachine const& machine = context.machine;
   if (!machine.start_up) return;
