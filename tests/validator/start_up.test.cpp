@@ -270,6 +270,31 @@ TEST_CASE("a count above the lists that are named is an error, no axis at all is
   CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
 }
 
+TEST_CASE("channel lists of which the control reads none are an error, and no channel is made up") {
+  Contents contents = controller();
+  std::string& start_up = contents["hochlauf.lis"];
+  std::string const count = GENERATE("", "kanal_anzahl 0\n");
+  start_up.replace(0, start_up.find('\n') + 1, count);
+  auto const lines = found(contents);
+  std::string const first = count.empty() ? "1" : "2";
+  CHECK(contains(lines, "hochlauf.lis:" + first + " AX7003 error"));
+  CHECK(loaded(contents).groups.empty());
+  CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+  // Without channel lists the axes are checked as one channel.
+  start_up.erase(count.size(), start_up.find("zahl_mds") - count.size());
+  CHECK(loaded(contents).groups.size() == 1);
+}
+
+TEST_CASE("AX7010: an axis or a name twice in one channel is an error, and allowed in two") {
+  Contents contents = controller();
+  contents["sda1.lis"] += "gruppe[0].achse[1].bezeichnung X2\ngruppe[0].achse[1].log_achs_nr 1\n";
+  CHECK(contains(found(contents), "sda1.lis:8 AX7010 error"));
+  contents["sda1.lis"] += "gruppe[0].achse[1].bezeichnung X\ngruppe[0].achse[1].log_achs_nr 2\n";
+  auto const lines = found(contents);
+  CHECK(contains(lines, "sda1.lis:9 AX7010 error"));
+  CHECK(contains(lines, "sda2.lis:1 AX7010 warning"));
+}
+
 TEST_CASE("AX4014: a gantry of the lists that a start-up list names") {
   Contents contents = controller();
   contents["y.lis"] += "kenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 1\n";
