@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -27,6 +28,10 @@ constexpr Sentence project_sections{
     "fassen"};
 constexpr Sentence project_long{"{element} has more than {most} bytes and is not read; shorten it",
                                 "{element} hat mehr als {most} Bytes und wird nicht gelesen; kürzen"};
+constexpr Sentence project_cycle_time{
+    "CycleTime of the NC must be 200 to 1000000 (20 µs to 100 ms in units of 100 ns), not {value}",
+    "CycleTime der NC muss 200 bis 1000000 betragen (20 µs bis 100 ms in Einheiten von 100 ns), nicht "
+    "{value}"};
 constexpr Sentence project_beside{
     "this is next to the CDATA section of {element} and not read; put the list into the section and remove "
     "the rest",
@@ -58,8 +63,7 @@ bool is_for_machine(std::string_view element) {
     return is_of_machine(each.kind) && each.name == element;
   });
 }
-constexpr std::uint32_t nanoseconds_per_unit = 100;
-constexpr std::uint32_t longest_cycle = 10'000'000;  // units of 100 ns
+constexpr std::uint64_t nanoseconds_per_unit = 100;
 constexpr std::string_view part_of_interpolator_name = "GEO";
 constexpr std::uint32_t longest_text = 1000;  // of a name or a number, in bytes
 
@@ -84,10 +88,11 @@ class ProjectReader {
       }
       if (document_.elements[i].name == "Task") read_task(i);
     }
-    decide_cycle_time();
     bool const has_machine = std::any_of(project_.lists.begin(), project_.lists.end(),
                                          [](ProjectList const& list) { return is_of_machine(list.kind); });
-    if (!has_machine && findings_.empty()) {
+    if (has_machine) {
+      decide_cycle_time();
+    } else if (findings_.empty()) {
       project_.is_of_cnc =
           std::any_of(document_.elements.begin(), document_.elements.end(),
                       [](XmlElement const& element) { return is_for_machine(element.name); });
@@ -107,7 +112,8 @@ class ProjectReader {
 
   struct Task {
     bool interpolates = false;
-    ListCount cycle;
+    LocatedText written;
+    std::optional<design::CycleTime> cycle;  ///< none where no control runs with what is written
   };
 
   void refuse(Span span, Message message) {
@@ -208,10 +214,11 @@ class ProjectReader {
 
   void read_task(std::size_t index) {
     auto const cycle = field(index, "CycleTime");
-    auto const number = cycle ? as_number(*cycle) : std::nullopt;
-    if (!number || *number == 0 || *number > longest_cycle) return;
+    if (!cycle) return;
     Task& task = tasks_.emplace_back();
-    task.cycle = {.number = *number, .place = cycle->place};
+    task.written = *cycle;
+    auto const number = as_number(*cycle);
+    if (number) task.cycle = possible_cycle_time(*number * nanoseconds_per_unit);
     for (std::string_view const key : {"Name", "ItemName"}) {
       auto const name = field(index, key);
       task.interpolates =
@@ -222,15 +229,23 @@ class ProjectReader {
 
   /// The cycle time of the task whose name fits; otherwise that of all tasks, where they agree.
   void decide_cycle_time() {
-    bool const is_named =
-        std::any_of(tasks_.begin(), tasks_.end(), [](Task const& task) { return task.interpolates; });
-    if (is_named) std::erase_if(tasks_, [](Task const& task) { return !task.interpolates; });
-    bool const agree = std::all_of(tasks_.begin(), tasks_.end(), [this](Task const& task) {
-      return task.cycle.number == tasks_.front().cycle.number;
-    });
+    auto const interpolates = [](Task const& task) { return task.interpolates; };
+    auto const is_possible = [](Task const& task) { return task.cycle.has_value(); };
+    if (std::any_of(tasks_.begin(), tasks_.end(), interpolates)) {
+      std::erase_if(tasks_, std::not_fn(interpolates));
+    } else if (std::any_of(tasks_.begin(), tasks_.end(), is_possible)) {
+      // A slow task of the PLC is not the one that interpolates.
+      std::erase_if(tasks_, std::not_fn(is_possible));
+    }
+    bool const agree = std::all_of(tasks_.begin(), tasks_.end(),
+                                   [this](Task const& task) { return task.cycle == tasks_.front().cycle; });
     if (tasks_.empty() || !agree) return;
-    project_.real_time = {.cycle_time = design::CycleTime{tasks_.front().cycle.number * nanoseconds_per_unit},
-                          .place = tasks_.front().cycle.place};
+    Task const& task = tasks_.front();
+    if (task.cycle) {
+      project_.real_time = {.cycle_time = task.cycle, .place = task.written.place};
+    } else {
+      refuse(task.written.place.span, {says::project_cycle_time, {{"value", task.written.text}}});
+    }
   }
 
   SourceText const& text_;

@@ -1,6 +1,8 @@
 #include "configuration/real_time_list.hpp"
 
 #include "configuration/listed_values.hpp"
+#include "configuration/machine_file.hpp"
+#include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 
 #include <cstdint>
@@ -11,12 +13,11 @@ namespace axisc::configuration {
 namespace {
 
 constexpr std::string_view interpolation_function = "task_int";
-constexpr std::uint32_t longest_us = 1'000'000;
-constexpr std::uint32_t nanoseconds_per_us = 1000;
+constexpr std::uint64_t nanoseconds_per_us = 1000;
 
 }  // namespace
 
-RealTimeList read_real_time_list(SourceText const& text, SourceId source) {
+RealTimeList read_real_time_list(SourceText const& text, SourceId source, std::deque<Finding>& findings) {
   std::map<std::uint32_t, ListedValue const*> cycles;
   ListedValue const* chosen = nullptr;
   std::optional<std::uint32_t> thread;
@@ -32,8 +33,16 @@ RealTimeList read_real_time_list(SourceText const& text, SourceId source) {
   if (thread && cycles.contains(*thread)) chosen = cycles[*thread];
   if (chosen == nullptr) return {};
   auto const number = as_number(chosen->value);
-  if (!number || *number == 0 || *number > longest_us) return {};
-  return {.cycle_time = design::CycleTime{*number * nanoseconds_per_us}, .place = chosen->value.place};
+  if (!number) return {};
+  auto const cycle_time = possible_cycle_time(*number * nanoseconds_per_us);
+  if (!cycle_time) {
+    Finding& finding = findings.emplace_back();
+    finding.code = machine_file_code;
+    finding.place = chosen->value.place;
+    finding.message = {says::json_cycle_time, {{"value", std::to_string(*number)}}};
+    return {};
+  }
+  return {.cycle_time = *cycle_time, .place = chosen->value.place};
 }
 
 }  // namespace axisc::configuration

@@ -14,7 +14,9 @@ SourceText source_of(std::string text) {
 }
 
 std::string cycle_of(std::string text) {
-  RealTimeList const list = read_real_time_list(source_of(std::move(text)), SourceId{});
+  std::deque<Finding> mistakes;
+  RealTimeList const list = read_real_time_list(source_of(std::move(text)), SourceId{}, mistakes);
+  if (!mistakes.empty()) return "refused@" + std::to_string(mistakes.front().place->span.begin);
   return list.cycle_time
              ? std::to_string(list.cycle_time->nanoseconds) + "@" + std::to_string(list.place.span.begin)
              : "none";
@@ -109,6 +111,16 @@ TEST_CASE("the cycle time is that of the interpolator's thread, else that of the
         "1000000@11");
   CHECK(cycle_of("cycle_time 1000\nthread[2].function[1].name task_int\n") == "1000000@11");
   CHECK(cycle_of("thread[0].name CNC\n") == "none");
-  CHECK(cycle_of("cycle_time 0\n") == "none");
+  // One that no control runs with is told, whatever the rest of the list says.
+  CHECK(cycle_of("cycle_time 0\n") == "refused@11");
+  CHECK(cycle_of("cycle_time 19\n") == "refused@11");
+  CHECK(cycle_of("cycle_time 20\n") == "20000@11");
+  CHECK(cycle_of("cycle_time 100000\n") == "100000000@11");
+  CHECK(cycle_of("cycle_time 100001\n") == "refused@11");
+  CHECK(cycle_of("cycle_time 4294967295\n") == "refused@11");
+  CHECK(cycle_of("cycle_time 1000\nthread[2].cycle 2\nthread[2].function[1].name TASK_INT\n") ==
+        "refused@32");
+  CHECK(cycle_of("cycle_time 1000\nthread[2].cycle 2\nthread[2].function[1].name task_sda\n") ==
+        "1000000@11");
   CHECK(cycle_of("cycle_time fast\n") == "none");
 }

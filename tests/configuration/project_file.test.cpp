@@ -99,6 +99,24 @@ TEST_CASE("the cycle time is that of the task that interpolates, or the one on w
   CHECK(cycle("<Task/>") == 0);
 }
 
+TEST_CASE("a cycle time that no control runs with is refused where it is written") {
+  auto const mistake = [](std::string const& tasks) {
+    return Read("<P><AchsMds><![CDATA[x 1]]></AchsMds>\n" + tasks + "</P>").mistake();
+  };
+  for (std::string const value : {"0", "20", "199", "1000001", "99999999999", "1ms"}) {
+    CHECK(mistake("<Task CycleTime='" + value + "'/>") ==
+          "2:18 CycleTime of the NC must be 200 to 1000000 (20 µs to 100 ms in units of 100 ns), not " +
+              value);
+  }
+  CHECK(mistake("<Task CycleTime='200'/>") == "none");
+  CHECK(mistake("<Task CycleTime='1000000'/>") == "none");
+  // The task that interpolates is meant, whatever others have.
+  CHECK(begins(mistake("<Task CycleTime='0'><Name>GEO</Name></Task><Task CycleTime='10000'/>"), "2:18 "));
+  CHECK(mistake("<Task CycleTime='20000000'/><Task CycleTime='10000'/>") == "none");
+  // A project without a CNC has other tasks.
+  CHECK(begins(Read("<P><Task CycleTime='20000000'/></P>").mistake(), "1:1 the project holds no list"));
+}
+
 TEST_CASE("XML that is not well-formed is one finding with its place") {
   CHECK(begins(Read("<P>\n <A>\n</P>").mistake(), "3:3 this end tag"));
   CHECK(begins(Read("<P><AchsMds><![CDATA[x").mistake(), "1:13 the CDATA section"));

@@ -89,6 +89,15 @@ TEST_CASE("the command line's cycle time wins over the real-time list") {
   CHECK(loaded(controller(), options).cycle_time->nanoseconds == 1'000'000);
 }
 
+TEST_CASE(
+    "a cycle time of the real-time list that no control runs with is an error there, and none is taken") {
+  Contents contents = controller();
+  contents["rt.lis"] = "cycle_time 2\n";
+  CHECK(contains(found(contents), "rt.lis:1 AX4020 error"));
+  CHECK_FALSE(loaded(contents).cycle_time);
+  CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+}
+
 TEST_CASE("two axes never have one name") {
   Contents contents = controller();
   contents["s.lis"] = "kopf.achs_nr 1\n";
@@ -259,6 +268,79 @@ TEST_CASE("a count above the lists that are named is an error, no axis at all is
     CHECK(contains(found(contents), "hochlauf.lis:12 AX7007 error"));
   }
   CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+}
+
+TEST_CASE("channel lists of which the control reads none are an error, and no channel is made up") {
+  Contents contents = controller();
+  std::string& start_up = contents["hochlauf.lis"];
+  std::string const count = GENERATE("", "kanal_anzahl 0\n");
+  start_up.replace(0, start_up.find('\n') + 1, count);
+  auto const lines = found(contents);
+  std::string const first = count.empty() ? "1" : "2";
+  CHECK(contains(lines, "hochlauf.lis:" + first + " AX7003 error"));
+  CHECK(loaded(contents).groups.empty());
+  CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+  // Without channel lists the axes are checked as one channel.
+  start_up.erase(count.size(), start_up.find("zahl_mds") - count.size());
+  CHECK(loaded(contents).groups.size() == 1);
+}
+
+TEST_CASE("AX7010: an axis or a name twice in one channel is an error, and allowed in two") {
+  Contents contents = controller();
+  contents["sda1.lis"] += "gruppe[0].achse[1].bezeichnung X2\ngruppe[0].achse[1].log_achs_nr 1\n";
+  CHECK(contains(found(contents), "sda1.lis:8 AX7010 error"));
+  contents["sda1.lis"] += "gruppe[0].achse[1].bezeichnung X\ngruppe[0].achse[1].log_achs_nr 2\n";
+  auto const lines = found(contents);
+  CHECK(contains(lines, "sda1.lis:9 AX7010 error"));
+  CHECK(contains(lines, "sda2.lis:1 AX7010 warning"));
+}
+
+TEST_CASE("AX4014: a gantry of the lists that a start-up list names") {
+  Contents contents = controller();
+  contents["y.lis"] += "kenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 1\n";
+  SECTION("without a fault") {
+    contents["x.lis"] += "kenngr.achs_mode 0x10001\n";
+    CHECK_FALSE(contains(found(contents), "y.lis:4 AX4014 error"));
+  }
+  SECTION("the master bit is missing") {
+    contents["x.lis"] += "kenngr.achs_mode 0x1\n";
+    CHECK(contains(found(contents), "y.lis:4 AX4014 error"));
+    CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+  }
+  SECTION("no such axis") {
+    contents["y.lis"] += "kenngr.gantry_ax_nr 99\n";
+    CHECK(contains(found(contents), "y.lis:5 AX4014 error"));
+    // Its list may be the one that is missing.
+    contents["hochlauf.lis"] += "zahl_mds 5\n";
+    CHECK_FALSE(contains(found(contents), "y.lis:5 AX4014 error"));
+  }
+}
+
+TEST_CASE("AX4015: an axis of a start-up list whose list gives no number, and nothing else because of it") {
+  Contents contents = controller();
+  contents["y.lis"] = "kopf.log_achs_name Y_Achse\n";
+  auto const lines = found(contents);
+  CHECK(contains(lines, "y.lis:1 AX4015 error"));
+  CHECK_FALSE(contains(lines, "sda2.lis:1 AX7006 error"));
+  CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
+  SECTION("a number in the default list is none of its own") {
+    contents["default.lis"] = "kopf.achs_nr 0\n";
+    CHECK(contains(found(contents), "y.lis:1 AX4015 error"));
+  }
+  SECTION("a line that cannot be used is its own mistake") {
+    contents["y.lis"] = "kopf.achs_nr two\n";
+    CHECK_FALSE(contains(found(contents), "y.lis:1 AX4015 error"));
+  }
+  SECTION("a misspelt name is its own mistake") {
+    contents["y.lis"] = "kopf.achs_nrr 2\n";
+    auto const misspelt = found(contents);
+    CHECK(contains(misspelt, "y.lis:1 AX2001 warning"));
+    CHECK_FALSE(contains(misspelt, "y.lis:1 AX4015 error"));
+  }
+  SECTION("an update in XML holds only what changes") {
+    contents["y.lis"] = R"(<AX_MDS><P-AXIS-00297 Value="Y"/></AX_MDS>)";
+    CHECK_FALSE(contains(found(contents), "y.lis:1 AX4015 error"));
+  }
 }
 
 }  // namespace start_up_test

@@ -188,7 +188,9 @@ void Loader::add_other_list(SourceId source, ListKind kind, std::string name) {
       {.name = std::move(name), .list = parse_other(sources_, source, kind, options_.catalogue)});
 }
 
+/// None instead of channels whose lists are named but not read.
 void Loader::add_default_group() {
+  if (machine_.start_up && !machine_.start_up->list.channels.empty()) return;
   LoadedGroup group;
   for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) {
     if (machine_.axes[axis].type != machine::AxisType::spindle) group.axes.push_back(axis);

@@ -7,6 +7,11 @@
 
 namespace axisc::validator {
 
+bool has_own_number(LoadedAxis const& axis) {
+  EffectiveValue const& number = axis.merged.values.at("kopf.achs_nr");
+  return number.origin == Origin::axis_list || number.unusable;
+}
+
 std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number) {
   for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) {
     EffectiveValue const& own = machine.axes[axis].merged.values.at("kopf.achs_nr");

@@ -105,7 +105,10 @@ struct LoadedMachine {
   }
 };
 
-/// The axis with this logical number, kopf.achs_nr.
+/// The axis' own list gives it a logical number, kopf.achs_nr, perhaps in a line that cannot be used.
+[[nodiscard]] bool has_own_number(LoadedAxis const& axis);
+
+/// The axis with this logical number.
 [[nodiscard]] std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number);
 
 /// Merges the lists of a machine again if a line without effect was taken for a parameter that it may have

@@ -96,7 +96,10 @@ void Loader::load_start_up_list(SourceId source) {
   }
   if (start_up.list.real_time) {
     auto const real_time = source_found(start_up, *start_up.list.real_time, ListKind::real_time);
-    if (real_time) start_up.real_time = configuration::read_real_time_list(sources_[*real_time], *real_time);
+    if (real_time) {
+      start_up.real_time =
+          configuration::read_real_time_list(sources_[*real_time], *real_time, machine_.findings);
+    }
     machine_.cycle_time = start_up.real_time.cycle_time;
   }
   load_channels(start_up);

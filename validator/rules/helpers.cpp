@@ -5,6 +5,10 @@
 
 namespace axisc::validator {
 
+bool is_blank(SourceText const& text) {
+  return text.bytes().find_first_not_of(" \t\r\n", text.text_begin()) == std::string_view::npos;
+}
+
 void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot slot) {
   finding.parameter = schema::slot_name(row, slot);
   finding.p_axis = schema::number_text(row.kind, row.p_axis);

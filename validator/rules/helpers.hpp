@@ -29,6 +29,14 @@ template <typename... Arguments>
   return {.source = context.list.source, .span = span};
 }
 
+/// Where a list begins, for what no line of it says.
+[[nodiscard]] inline Place beginning_of(SourceId source, SourceText const& text) {
+  return {.source = source, .span = {.begin = text.text_begin(), .end = text.text_begin()}};
+}
+
+/// A list in which nothing is written, not even a comment.
+[[nodiscard]] bool is_blank(SourceText const& text);
+
 /// One assignment of a list, for checks of single lines and for the text of their findings.
 struct Line {
   ListContext const& context;

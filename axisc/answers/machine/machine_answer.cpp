@@ -65,6 +65,7 @@ Table axes_table(LoadedMachine const& machine, SourceSet const& sources) {
     auto const& axis = machine.axes[index];
     auto const* const drive = validator::drive_of(axis);
     auto const& number = axis.merged.values.at("kopf.achs_nr");
+    bool const is_known = !number.unusable && (!machine.start_up || validator::has_own_number(axis));
     Names channels;
     for (std::size_t group = 0; group < machine.groups.size(); ++group) {
       auto const& axes = machine.groups[group].axes;
@@ -74,7 +75,7 @@ Table axes_table(LoadedMachine const& machine, SourceSet const& sources) {
     add_row(
         table,
         {{"name", labels::axis, axis.name},
-         {"number", labels::number, number.unusable ? Value("?") : Value(exact(number.value.number))},
+         {"number", labels::number, is_known ? Value(exact(number.value.number)) : Value("?")},
          {"list", labels::list, machine.lists[axis.list].name},
          {"type", labels::type, axis_type_symbol(axis.type)},
          {"drive", labels::drive, drive == nullptr ? Value("?") : validator::drive_name(*drive)},

@@ -104,11 +104,9 @@ class GantryJudge {
       if (claim == nullptr && !view.master_number.unusable) without_master(axis, view);
       return;
     }
-    // For a single list the other axes are unknown.
-    if (!machine_.machine_file) return;
     auto const master = axis_numbered(machine_, *number);
     if (!master || *master == axis) {
-      if (!all_numbers_usable()) return;
+      if (!knows_other_axes() || !all_numbers_usable()) return;
       Finding& finding = add(axis, view.master_number, master ? says::itself : says::no_such_axis,
                              {{"number", checks::number(*number)}});
       finding.help.push_back({says::help_number, {{"parameter", parameter_name(view.master_number)}}});
@@ -164,6 +162,15 @@ class GantryJudge {
     GantryClaim const* const claim = master_claim(machine_, axis);
     if (claim == nullptr || view.open() || view.is_master()) return;
     disagree(axis, view.mode, says::no_master_bit, *claim);
+  }
+
+  /// Not for a list alone, for one axis exported from a project, and where the list of an axis is missing or
+  /// does not say its number.
+  [[nodiscard]] bool knows_other_axes() const {
+    if (!machine_.start_up) return machine_.machine_file.has_value();
+    bool const is_part = machine_.start_up->is_project && machine_.axes.size() == 1;
+    return machine_.knows_all_axes && !is_part &&
+           std::all_of(machine_.axes.begin(), machine_.axes.end(), has_own_number);
   }
 
   [[nodiscard]] bool all_numbers_usable() const {

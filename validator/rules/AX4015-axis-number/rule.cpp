@@ -2,13 +2,17 @@
 
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/helpers.hpp"
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace axisc::validator::checks::ax4015::says {
 
 constexpr Sentence zero{"an axis needs a number above 0", "eine Achse braucht eine Nummer über 0"};
+constexpr Sentence missing{"this axis list gives the axis no number",
+                           "diese Achsliste gibt der Achse keine Nummer"};
 constexpr Sentence default_list{"the default list must have axis number 0 or none, not {number}",
                                 "die Standardliste muss die Achsnummer 0 oder keine haben, nicht {number}"};
 constexpr Sentence twice{"the axes {axes} have the same number {number}",
@@ -19,6 +23,8 @@ constexpr Sentence reaction_zero{"it reports the number as wrong", "sie meldet d
 constexpr Sentence reaction_twice{"it reports the number as used twice",
                                   "sie meldet die Nummer als doppelt vergeben"};
 constexpr Sentence help_default{"remove the line, or write 0", "die Zeile entfernen, oder 0 schreiben"};
+constexpr Sentence help_missing{"add `kopf.achs_nr` with a number that no other axis has",
+                                "`kopf.achs_nr` mit einer Nummer ergänzen, die keine andere Achse hat"};
 constexpr Sentence help_own{"give every axis a number of its own, above 0",
                             "jeder Achse eine eigene Nummer über 0 geben"};
 
@@ -77,6 +83,24 @@ void check_zero(std::vector<Numbered> const& axes, Report& report) {
   }
 }
 
+/// Start-up lists and projects join axes and channels by number. An update in XML holds only what changes,
+/// and a list that has lost its text is another rule's.
+void check_missing(MachineContext const& context, Report& report) {
+  LoadedMachine const& machine = context.machine;
+  if (!machine.start_up) return;
+  std::set<std::size_t> told;
+  for (LoadedAxis const& axis : machine.axes) {
+    SourceId const source = machine.lists[axis.list].list.source;
+    SourceText const& text = context.sources[source];
+    if (has_own_number(axis) || text.is_translation() || is_blank(text)) continue;
+    if (!told.insert(axis.list).second) continue;
+    report.axis = axis.name;
+    Finding& finding = report.add(beginning_of(source, text), {says::missing, {}});
+    finding.help.push_back({says::help_missing, {}});
+    react(finding, number_zero, {says::reaction_zero, {}});
+  }
+}
+
 /// One line gives all of them their number: a start-up list names their list twice, which is AX7011.
 bool is_one_line(std::vector<Numbered> const& sharing) {
   return std::all_of(sharing.begin(), sharing.end(), [&](Numbered const& each) {
@@ -113,6 +137,7 @@ void check_twice(std::vector<Numbered> const& axes, bool start_up, Report& repor
 
 void axis_number(MachineContext const& context, Report& report) {
   check_default_list(context.machine, report);
+  check_missing(context, report);
   std::vector<Numbered> const axes = numbered_axes(context.machine);
   check_zero(axes, report);
   check_twice(axes, context.machine.start_up.has_value(), report);

@@ -32,14 +32,6 @@ std::string other_kinds() {
   return words;
 }
 
-Place beginning_of(SourceId source, SourceText const& text) {
-  return {.source = source, .span = {.begin = text.text_begin(), .end = text.text_begin()}};
-}
-
-bool is_blank(SourceText const& text) {
-  return text.bytes().find_first_not_of(" \t\r\n", text.text_begin()) == std::string_view::npos;
-}
-
 /// A list in a file of its own, whose text was probably lost.
 void find_blank_lists(MachineContext const& context, Report& report) {
   for (NamedList const& named : context.machine.lists) {

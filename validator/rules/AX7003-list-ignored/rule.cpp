@@ -21,6 +21,7 @@ struct Array {
   std::string_view name, count_name;
   std::optional<configuration::ListCount> const& count;
   Report& report;
+  Severity severity_of_none = Severity::warning;  ///< where none of the entries is read
 
   void check(configuration::ListEntry const& entry) const {
     if (entry.file.text.empty() || is_read(entry, count)) return;
@@ -30,11 +31,14 @@ struct Array {
     Message help{says::help,
                  {{"count", std::string(count_name)}, {"needed", std::to_string(entry.index + 1)}}};
     if (!count) {
-      report.add(entry.file.place, {says::missing, std::move(arguments)}).help.push_back(std::move(help));
+      Finding& finding = report.add(entry.file.place, {says::missing, std::move(arguments)});
+      finding.severity = severity_of_none;
+      finding.help.push_back(std::move(help));
       return;
     }
     arguments.push_back({"number", std::to_string(count->number)});
     Finding& finding = report.add(entry.file.place, {says::headline, std::move(arguments)});
+    if (count->number == 0) finding.severity = severity_of_none;
     finding.related.push_back({count->place, {says::count_here, {}}});
     finding.help.push_back(std::move(help));
   }
@@ -45,7 +49,11 @@ void list_ignored(MachineContext const& context, Report& report) {
   configuration::StartUpList const& list = context.machine.start_up->list;
   Array const axes{"achs_mds", "zahl_mds", list.axis_count, report};
   for (configuration::ListEntry const& entry : list.axes) axes.check(entry);
-  Array const channels{"sda_mds", "kanal_anzahl", list.channel_count, report};
+  // A control has 1 to 12 channels. An update in XML need not say how many.
+  StartUp const& start_up = *context.machine.start_up;
+  bool const is_update = !start_up.is_project && context.sources[start_up.sources.front()].is_translation();
+  Array const channels{"sda_mds", "kanal_anzahl", list.channel_count, report,
+                       is_update ? Severity::warning : Severity::error};
   for (configuration::ListEntry const& entry : list.channels) channels.check(entry);
   Array const compensations{"achs_kw", "zahl_kw", list.compensation_count, report};
   for (configuration::CompensationEntry const& entry : list.compensations) compensations.check(entry.list);

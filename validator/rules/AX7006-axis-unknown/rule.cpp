@@ -2,6 +2,8 @@
 
 #include "validator/rules/filter_words.hpp"
 
+#include <algorithm>
+
 namespace axisc::validator::checks::ax7006::says {
 
 constexpr Sentence headline{"no axis list has the number {number}",
@@ -48,8 +50,9 @@ class Numbers {
 
 void axis_unknown(MachineContext const& context, Report& report) {
   LoadedMachine const& machine = context.machine;
-  // If the list of an axis is missing, the numbers of the machine are unknown.
+  // If the list of an axis is missing, or does not say its number, the numbers of the machine are unknown.
   if (!machine.start_up || !machine.knows_all_axes) return;
+  if (!std::all_of(machine.axes.begin(), machine.axes.end(), has_own_number)) return;
   Numbers const numbers(machine, report);
   for (StartUpChannel const& channel : machine.start_up->channels) {
     for (configuration::ChannelAxis const& axis : channel.list.axes) numbers.check(axis.number);
