@@ -51,8 +51,9 @@ struct LoadedGroup {
       programs;  ///< indices into LoadedMachine::programs: its own and those of every group
   machine::ChannelDynamics dynamics = {};
   std::vector<configuration::UncomputedValue> uncomputed = {};
-  std::optional<SourceId> channel_list = {};  ///< none: the control's defaults count
-  std::optional<Place> slope_place = {};      ///< of the value of P-CHAN-00071
+  std::optional<SourceId> channel_list = {};           ///< none: the control's defaults count
+  std::vector<configuration::CoupledPair> pairs = {};  ///< of the channel list
+  std::optional<Place> slope_place = {};               ///< of the value of P-CHAN-00071
   bool look_ahead_said = false;  ///< by the start-up list or the machine file, outside of channel lists
 };
 

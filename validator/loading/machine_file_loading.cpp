@@ -78,6 +78,9 @@ void Loader::add_group(configuration::MachineFileGroup const& named) {
     if (program && !runs_in(group, *program)) group.programs.push_back(*program);
   }
   if (named.channel_list) group.channel_list = channel_list_named(*named.channel_list);
+  if (group.channel_list) {
+    group.pairs = configuration::read_channel_list(sources_[*group.channel_list], *group.channel_list).pairs;
+  }
   configuration::ListedLookAhead look_ahead;
   if (named.look_ahead_blocks) {
     look_ahead.function.emplace().text = "FCT_LOOK_AHEAD_CUSTOM";

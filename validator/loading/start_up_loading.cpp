@@ -162,6 +162,7 @@ void Loader::add_channel(StartUp& start_up, std::uint32_t number, SourceId sourc
   LoadedGroup& group = machine_.groups.emplace_back();
   if (channel.list.name) group.name = channel.list.name->text;
   group.channel_list = source;
+  group.pairs = channel.list.pairs;
   read_dynamics(group, look_ahead_of(*machine_.start_up, number, sources_));
   for (ChannelAxis const& named : channel.list.axes) {
     auto const axis = axis_numbered(machine_, named.number->number);

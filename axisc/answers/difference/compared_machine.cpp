@@ -72,6 +72,9 @@ class FromLists {
       channel.programs.push_back(
           {.name = machine_.programs[program].name, .mark = machine_.programs[program].mark});
     }
+    for (auto const& pair : group.pairs) {
+      channel.couplings.push_back(axis_name(pair.slave) + " = " + axis_name(pair.master));
+    }
     channel.dynamics = channel_values(group.dynamics);
     side_.channels.push_back(std::move(channel));
   }
@@ -83,9 +86,6 @@ class FromLists {
       for (auto const& spindle : channel.list.spindles) {
         note_name(spindle);
         compared.spindles.push_back(axis_name(spindle.number));
-      }
-      for (auto const& pair : channel.list.pairs) {
-        compared.couplings.push_back(axis_name(pair.slave) + " = " + axis_name(pair.master));
       }
     }
   }

@@ -125,6 +125,29 @@ TEST_CASE("the machine file made of a start-up list keeps the default channel li
                       Catch::Matchers::Contains("AX4020"));
 }
 
+TEST_CASE(
+    "the machine file made of a start-up list keeps couplings, through the channel lists that it names") {
+  TemporaryFolder const folder;
+  copy_of_sample(folder);
+  auto const there = in_folder(folder / "listen");
+  auto list = folder.read("listen/sda_mds1.lis");
+  list.insert(list.find("Ende"),
+              "synchro_data.koppel_gruppe[0].paar[0].log_achs_nr_slave 5\n"
+              "synchro_data.koppel_gruppe[0].paar[0].log_achs_nr_master 1\n");
+  folder.write("listen/sda_mds1.lis", list);
+  auto const written = run_axisc({"machine", "hochlauf.lis", "--format", "json"}, there).out;
+  folder.write("listen/m.json", written);
+  auto const of_folder = run_axisc({"lint", "hochlauf.lis"}, there).out;
+  auto const of_machine = run_axisc({"lint", "m.json"}, there).out;
+  CHECK_THAT(of_folder, Catch::Matchers::Contains("AX4022"));
+  CHECK(of_machine.substr(0, of_machine.find("\n\n")) == of_folder.substr(0, of_folder.find("\n\n")));
+  auto const difference =
+      nlohmann::json::parse(run_axisc({"diff", "hochlauf.lis", "m.json", "--format", "json"}, there).out);
+  for (std::string const side : {"before", "after"}) {
+    CHECK(difference.at("channels").at(0).at(side).at("couplings") == nlohmann::json{"U = X"});
+  }
+}
+
 TEST_CASE("a folder with several machines is asked for one, and lint checks each") {
   TemporaryFolder const folder;
   write_machine(folder, "a.lis", "x.lis");

@@ -51,9 +51,8 @@ void check_pair(configuration::CoupledPair const& pair, MachineContext const& co
 }
 
 void coupled_filters_differ(MachineContext const& context, Report& report) {
-  if (!context.machine.start_up) return;
-  for (StartUpChannel const& channel : context.machine.start_up->channels) {
-    for (configuration::CoupledPair const& pair : channel.list.pairs) check_pair(pair, context, report);
+  for (LoadedGroup const& group : context.machine.groups) {
+    for (configuration::CoupledPair const& pair : group.pairs) check_pair(pair, context, report);
   }
 }
 
