@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace axisc {
-namespace {
 
 bool can_be_written(SourceText const& source, std::string_view text) {
   if (source.encoding() != Encoding::windows_1252) return true;
@@ -23,6 +22,8 @@ bool can_be_written(SourceText const& source, std::string_view text) {
   }
   return true;
 }
+
+namespace {
 
 /// The end of the CDATA section of a window.
 constexpr std::string_view section_end = "]]>";

@@ -15,6 +15,9 @@ struct EditedSource {
   std::string bytes;  ///< of the whole file; parts that no edit replaces are unchanged, columns included
 };
 
+/// The encoding of the source has all characters of a text in UTF-8.
+[[nodiscard]] bool can_be_written(SourceText const& source, std::string_view text);
+
 class FixBatch {
  public:
   /// `sources` and the fixes must live as long as the batch.

@@ -11,15 +11,15 @@
 namespace axisc::says {
 
 constexpr Sentence not_found{
-    "{file} has no column that is the {signal} position of axis {axis}; name it with {option} COLUMN; there "
+    "{file} has no column that is {signal} of axis {axis}; name it with {option} COLUMN; there "
     "are {known}",
-    "{file} hat keine Spalte, die die Position \"{signal}\" der Achse {axis} ist; sie mit {option} SPALTE "
-    "nennen; vorhanden sind {known}"};
+    "{file} hat keine Spalte für {signal} der Achse {axis}; sie mit {option} SPALTE nennen; vorhanden sind "
+    "{known}"};
 constexpr Sentence several{
-    "{file} has several columns that may be the {signal} position of axis {axis}: {known}; name one with "
+    "{file} has several columns that may be {signal} of axis {axis}: {known}; name one with "
     "{option} COLUMN",
-    "{file} hat mehrere Spalten, die die Position \"{signal}\" der Achse {axis} sein können: {known}; eine "
-    "mit {option} SPALTE nennen"};
+    "{file} hat für {signal} der Achse {axis} mehrere mögliche Spalten: {known}; eine mit {option} SPALTE "
+    "nennen"};
 constexpr Sentence envelope{
     "{file}: \"{column}\" is half of an envelope (minimum and maximum); export the samples themselves",
     "{file}: \"{column}\" ist die Hälfte einer Hüllkurve (Minimum und Maximum); die Abtastwerte selbst "
@@ -85,11 +85,23 @@ void leave_out_copies(RecordingFile const& file, std::vector<Candidate>& found) 
   }
 }
 
+Wording phrase_of(Object object) {
+  switch (object) {
+    case Object::position_unfiltered: return {"the unfiltered position", "die ungefilterte Position"};
+    case Object::position_filtered: return {"the filtered position", "die gefilterte Position"};
+    case Object::command_position: return {"the command position", "die Sollposition"};
+    case Object::actual_position: return {"the actual position", "die Istposition"};
+    case Object::velocity: return {"the velocity", "die Geschwindigkeit"};
+    case Object::torque: return {"the torque", "das Moment"};
+    default: return recordings::row_of(object).word;
+  }
+}
+
 Failure refusal(SentenceRef sentence, RecordingFile const& file, AxisPlace const& axis, Object object,
                 std::string_view option, std::vector<std::size_t> const& channels) {
   return Failure({sentence,
                   {{"file", file.name},
-                   {"signal", std::string(recordings::row_of(object).word)},
+                   {"signal", phrase_of(object)},
                    {"axis", axis.name},
                    {"option", std::string(option)},
                    {"known", channels.empty() ? file.known() : file.known(channels)}}},

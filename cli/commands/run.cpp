@@ -24,6 +24,14 @@ constexpr Sentence refused_setpoints{
     "used instead",
     "{count} Eingaben waren NaN, unendlich oder größer als 2^53, die erste in Zyklus {cycle}; stattdessen "
     "galt die letzte gute"};
+constexpr Sentence refused_setpoint{
+    "an input in cycle {cycle} was NaN, infinite or beyond 2^53; the last good one was used instead",
+    "eine Eingabe in Zyklus {cycle} war NaN, unendlich oder größer als 2^53; stattdessen galt die letzte "
+    "gute"};
+constexpr Sentence jump{
+    "an output moved farther in cycle {cycle} than the axis' largest velocity (P-AXIS-00212) allows",
+    "eine Ausgabe bewegte sich in Zyklus {cycle} weiter, als die größte Geschwindigkeit der Achse "
+    "(P-AXIS-00212) zulässt"};
 constexpr Sentence jumps{
     "{count} outputs moved farther in one cycle than the axis' largest velocity (P-AXIS-00212) allows, the "
     "first in cycle {cycle}",
@@ -165,12 +173,11 @@ void write_recording(std::string const& path, std::vector<std::byte> const& byte
   target.commit();
 }
 
-void report(Occurrences const& occurrences, SentenceRef text, Invocation const& invocation) {
+void report(Occurrences const& occurrences, SentenceRef one, SentenceRef many, Invocation const& invocation) {
   if (occurrences.count == 0) return;
-  invocation.streams.err.write(warning_line(
-      {text,
-       {{"count", std::to_string(occurrences.count)}, {"cycle", std::to_string(occurrences.first_cycle)}}},
-      invocation.language));
+  auto told = counted(occurrences.count, one, many);
+  told.arguments.push_back({"cycle", std::to_string(occurrences.first_cycle)});
+  invocation.streams.err.write(warning_line(told, invocation.language));
 }
 
 }  // namespace
@@ -206,8 +213,8 @@ ExitStatus run(Invocation const& invocation) {
   }
   if (options.record) write_recording(*options.record, execution.recording());
   if (options.quiet) return ExitStatus::success;
-  report(noticed.refused, says::refused_setpoints, invocation);
-  report(noticed.jumps, says::jumps, invocation);
+  report(noticed.refused, says::refused_setpoint, says::refused_setpoints, invocation);
+  report(noticed.jumps, says::jump, says::jumps, invocation);
   return ExitStatus::success;
 }
 

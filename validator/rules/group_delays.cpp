@@ -12,6 +12,14 @@
 
 namespace axisc::validator::checks {
 
+namespace {
+
+Wording cycles_text(double cycles) {
+  return format_rounded(std::round(cycles * 1000) / 1000, 6);
+}
+
+}  // namespace
+
 Delays delays_of(GroupContext const& context) {
   Delays delays;
   if (context.group.axes.size() < 2) return delays;
@@ -54,21 +62,22 @@ std::optional<std::size_t> last_cause(Delays const& delays) {
   return last;
 }
 
-Wording cycles_text(double cycles) {
-  return format_rounded(std::round(cycles * 1000) / 1000, 6);
+Wording counted_cycles(double cycles) {
+  Wording const number = cycles_text(cycles);
+  return number + (number == "1" ? Wording(" cycle", " Zyklus") : Wording(" cycles", " Zyklen"));
 }
 
 Message delay_of(DelayedAxis const& axis) {
   bool const none = axis.delay.shares.empty();
   return {none ? says::group_axis_delay : says::group_axis_shares,
           {{"axis", axis.axis.name},
-           {"cycles", cycles_text(axis.delay.cycles)},
+           {"cycles", counted_cycles(axis.delay.cycles)},
            {"shares", shares_text(axis.delay)}}};
 }
 
 Message delay_after_filters_of(DelayedAxis const& axis) {
   return {says::group_axis_after_filters,
-          {{"axis", axis.axis.name}, {"cycles", cycles_text(axis.after_filters)}}};
+          {{"axis", axis.axis.name}, {"cycles", counted_cycles(axis.after_filters)}}};
 }
 
 EffectiveValue const* line_about_feedforward(LoadedAxis const& axis) {

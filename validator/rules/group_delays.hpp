@@ -38,8 +38,8 @@ using Delays = std::vector<DelayedAxis>;
 /// Index of the axis whose cause is last in the lists; none where no list delays anything.
 [[nodiscard]] std::optional<std::size_t> last_cause(Delays const& delays);
 
-/// Cycles for display.
-[[nodiscard]] Wording cycles_text(double cycles);
+/// Cycles for display: "1 cycle", "2.5 cycles".
+[[nodiscard]] Wording counted_cycles(double cycles);
 
 /// States the delay of an axis, and what each of its filters contributes.
 [[nodiscard]] Message delay_of(DelayedAxis const& axis);

@@ -12,13 +12,11 @@ constinit Sentence const filter_value_ignored{"the value is ignored", "der Wert 
 
 constinit Sentence const kernel_reaction_not_active{"the filter is not active", "der Filter ist nicht aktiv"};
 
-constinit Sentence const group_axis_delay{"axis \"{axis}\": {cycles} cycles",
-                                          "Achse „{axis}“: {cycles} Zyklen"};
-constinit Sentence const group_axis_shares{"axis \"{axis}\": {cycles} cycles ({shares})",
-                                           "Achse „{axis}“: {cycles} Zyklen ({shares})"};
-constinit Sentence const group_axis_after_filters{
-    "axis \"{axis}\": {cycles} cycles in addition to its filters",
-    "Achse „{axis}“: {cycles} Zyklen zusätzlich zu ihren Filtern"};
+constinit Sentence const group_axis_delay{"axis \"{axis}\": {cycles}", "Achse „{axis}“: {cycles}"};
+constinit Sentence const group_axis_shares{"axis \"{axis}\": {cycles} ({shares})",
+                                           "Achse „{axis}“: {cycles} ({shares})"};
+constinit Sentence const group_axis_after_filters{"axis \"{axis}\": {cycles} in addition to its filters",
+                                                  "Achse „{axis}“: {cycles} zusätzlich zu ihren Filtern"};
 constinit Sentence const group_help_same{"configure the filters of all axes of a channel alike",
                                          "die Filter aller Achsen eines Kanals gleich konfigurieren"};
 

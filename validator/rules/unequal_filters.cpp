@@ -102,7 +102,7 @@ Finding& report_difference(PositionDifference const& difference, SentenceRef hea
       report.add(cause, {headline,
                          {{"master", pair.master.axis.name},
                           {"slave", pair.slave.axis.name},
-                          {"cycles", cycles_text(cycles)},
+                          {"cycles", counted_cycles(cycles)},
                           {"milliseconds", format_rounded(cycles * context.cycle_time.seconds() * 1e3, 4)}}});
   if (!filters_differ) {
     finding.label = delay_after_filters_of(axis);

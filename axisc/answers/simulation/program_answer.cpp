@@ -12,6 +12,8 @@ namespace axisc::says {
 
 constexpr Sentence program_title{"{blocks} blocks, {cycles} cycles of {cycle_time}, {time}",
                                  "{blocks} Sätze, {cycles} Zyklen zu {cycle_time}, {time}"};
+constexpr Sentence program_of_one_block{"1 block, {cycles} cycles of {cycle_time}, {time}",
+                                        "1 Satz, {cycles} Zyklen zu {cycle_time}, {time}"};
 constexpr Sentence passes{"passes: from one command for filters to the next",
                           "Durchgänge: von einem Filterbefehl zum nächsten"};
 constexpr Sentence block{"block", "Satz"};
@@ -186,10 +188,11 @@ Document ProgramSummary::answer(FollowedProgram const& followed) && {
   auto const& dynamics = path_.dynamics;
   auto const slope = slope_name(dynamics.slope);
   Document answer{
-      .title = Words(says::program_title, {{"blocks", followed.blocks},
-                                           {"cycles", followed.cycles},
-                                           {"cycle_time", cycle_time},
-                                           {"time", time}}),
+      .title = Words(followed.blocks == 1 ? says::program_of_one_block : says::program_title,
+                     {{"blocks", followed.blocks},
+                      {"cycles", followed.cycles},
+                      {"cycle_time", cycle_time},
+                      {"time", time}}),
       .blocks = {Facts{{data("cycle_time_us", cycle_time), data("group", path_.group),
                         data("axes", Names(path_.axes)), data("block_count", followed.blocks),
                         data("pass_count", passes_.rows.size() + passes_.left_out),

@@ -6,6 +6,7 @@
 #include "axisc/workspace/edited_files.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/fingerprint.hpp"
+#include "diagnostics/fix_batch.hpp"
 #include "schema/data_type.hpp"
 #include "schema/value.hpp"
 #include "validator/check.hpp"
@@ -35,6 +36,9 @@ constexpr Sentence not_whole{"{value} is not a whole number in {expected}, as `{
                              "{value} ist keine ganze Zahl in {expected}, wie `{name}` sie braucht"};
 constexpr Sentence cannot_edit{"{file} cannot be edited: write the lines into it by hand",
                                "{file} kann nicht bearbeitet werden: die Zeilen von Hand eintragen"};
+constexpr Sentence not_encoded{
+    "`{name}` cannot be \"{value}\": {file} is in windows-1252, which lacks a character of it",
+    "`{name}` kann nicht „{value}“ sein: {file} ist in windows-1252, wo ein Zeichen davon fehlt"};
 constexpr Sentence outside{"{file} lies outside what the command line names: name it, or its folder",
                            "{file} liegt außerhalb dessen, was die Befehlszeile nennt: die Liste oder ihren "
                            "Ordner nennen"};
@@ -184,6 +188,17 @@ std::vector<Message> notes_about(validator::LoadedMachine const& machine, std::s
   return notes;
 }
 
+/// Why the list of an axis cannot get some of these lines.
+Failure refused_edit(validator::LoadedMachine const& machine, std::size_t axis, SourceSet const& sources,
+                     std::vector<tuning::ListLine> const& lines) {
+  auto const& source = sources[machine.lists[machine.axes[axis].list].list.source];
+  for (auto const& [name, text] : lines) {
+    if (can_be_written(source, text)) continue;
+    return Failure({says::not_encoded, {{"name", name}, {"value", text}, {"file", source.name()}}});
+  }
+  return Failure({says::cannot_edit, {{"file", source.name()}}});
+}
+
 }  // namespace
 
 std::optional<NewValues> set_values(Workspace& workspace, SetQuestion const& question,
@@ -195,7 +210,7 @@ std::optional<NewValues> set_values(Workspace& workspace, SetQuestion const& que
   auto const lines = lines_of(machine.axes[axis], sources, words);
   NewValues made{.edits = edit_lists(machine, {{axis, lines}}, sources, Defaults::written),
                  .notes = notes_about(machine, axis)};
-  if (made.edits.refused) throw Failure({says::cannot_edit, {{"file", *made.edits.refused}}});
+  if (made.edits.refused) throw refused_edit(machine, axis, sources, lines);
   if (made.edits.edited.empty()) return made;
   ChangeableFiles const changeable({question.machine.input});
   for (auto const& [path, bytes] : made.edits.edited) {

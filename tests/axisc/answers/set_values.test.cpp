@@ -174,6 +174,15 @@ TEST_CASE("words that cannot be written are refused with the reason") {
   CHECK_THAT(set(list, {}).refusal, Catch::Matchers::Contains("name a parameter and its value"));
 }
 
+TEST_CASE("a character that the encoding of the list lacks is named as the cause") {
+  TemporaryFolder const folder;
+  auto const list = folder.write("x.lis", "# l\xE4ngs\n" + plain);
+  CHECK(set(list, {"kopf.log_achs_name=\xE2\x86\x92X"}).refusal ==
+        "`kopf.log_achs_name` cannot be \"\xE2\x86\x92X\": " + list +
+            " is in windows-1252, which lacks a character of it");
+  CHECK_FALSE(set(list, {"kopf.log_achs_name=\xC3\x84X"}).bytes.empty());
+}
+
 TEST_CASE("a list outside of what the user names is not written") {
   TemporaryFolder const folder;
   folder.write("lists/x.lis", plain);

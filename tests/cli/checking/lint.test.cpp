@@ -399,4 +399,27 @@ TEST_CASE("a named list is judged in the machine that reads it") {
   }
 }
 
+TEST_CASE("a list whose lines end with CR alone is not to become one line") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "kopf.achs_nr 1\rkenngr.achs_typ 1\rEnde\r");
+  auto const outcome = run_axisc({"lint", "x.lis", "--cycle-time", "1ms"}, in_folder(folder.path()));
+  CHECK_THAT(outcome.out,
+             Catch::Matchers::Contains("help: where it was meant to end a line, save the file again"));
+}
+
+TEST_CASE("one cycle is one cycle in both languages") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "kopf.achs_nr 1\nfilter_fir.type 4\nfilter_fir.order 1\nfilter_fir.enable 1\nEnde\n");
+  folder.write("y.lis", "kopf.achs_nr 2\nEnde\n");
+  folder.write("machine.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
+                                   {"name": "Y", "list": "y.lis"}]})");
+  auto const said = [&](std::string const& language) {
+    return run_axisc({"lint", "machine.json", "--lang", language}, in_folder(folder.path())).out;
+  };
+  CHECK_THAT(said("en"), Catch::Matchers::Contains("delays differ by 1 cycle (1 ms)") &&
+                             Catch::Matchers::Contains("axis \"Y\": 0 cycles"));
+  CHECK_THAT(said("de"), Catch::Matchers::Contains("um 1 Zyklus (1 ms)") &&
+                             Catch::Matchers::Contains("Achse „Y“: 0 Zyklen"));
+}
+
 }  // namespace lint_test

@@ -290,4 +290,13 @@ TEST_CASE("a template records what compare needs, and its objects are recognised
   CHECK(axis.channels[2].channel.index_offset == 0x7000DU);
 }
 
+TEST_CASE("German names the missing column in German") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "kopf.achs_nr 1\nEnde\n");
+  folder.write("columns.csv", "a,b,c\n1,2,3\n2,3,4\n");
+  auto const said = run_axisc({"compare", "x.lis", "columns.csv", "--cycle-time", "1ms", "--lang", "de"},
+                              in_folder(folder.path()));
+  CHECK_THAT(said.err, Contains("hat keine Spalte für die ungefilterte Position der Achse x;"));
+}
+
 }  // namespace scope_recording_test

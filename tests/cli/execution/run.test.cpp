@@ -86,6 +86,9 @@ TEST_CASE("setpoints that are no numbers are replaced, and that is said") {
   CHECK_THAT(outcome.err, Catch::Matchers::StartsWith("axisc: warning: 2 inputs were NaN") &&
                               Catch::Matchers::Contains("cycle 1;"));
   CHECK(run_axisc({"run", "m.axim", "--input", "in.csv", "--quiet"}, there).err.empty());
+  folder.write("one.csv", "Y\n5\n6\nnan\n");
+  CHECK_THAT(run_axisc({"run", "m.axim", "--input", "one.csv"}, there).err,
+             Catch::Matchers::Contains("warning: an input in cycle 2 was NaN"));
 }
 
 TEST_CASE("what run refuses") {

@@ -244,4 +244,17 @@ TEST_CASE("progress is shown where it is wanted") {
   CHECK(run_axisc({"simulate", "m.json", "--program", "p.nc"}, there).err.empty());
 }
 
+TEST_CASE("a program of one block has one block") {
+  TemporaryFolder const folder;
+  folder.write("part.nc", "G01 X10 F1000\n");
+  auto const said = [&](std::string const& language) {
+    return run_axisc(
+               {"simulate", AXISC_SOURCE_DIR "/samples/mill", "--program", "part.nc", "--lang", language},
+               in_folder(folder.path()))
+        .out;
+  };
+  CHECK_THAT(said("en"), Catch::Matchers::StartsWith("1 block, "));
+  CHECK_THAT(said("de"), Catch::Matchers::StartsWith("1 Satz, "));
+}
+
 }  // namespace simulate_test

@@ -22,6 +22,11 @@ constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 constexpr Sentence remove{"remove it", "es entfernen"};
 constexpr Sentence help{"delete it, or save the file again as UTF-8 or windows-1252",
                         "es löschen, oder die Datei neu als UTF-8 oder windows-1252 speichern"};
+constexpr Sentence help_line_end{
+    "where it was meant to end a line, save the file again with LF or CR LF as line ends; otherwise delete "
+    "it",
+    "wo es eine Zeile beenden soll, die Datei neu mit LF oder CR LF als Zeilenenden speichern; sonst es "
+    "löschen"};
 
 }  // namespace axisc::validator::checks::ax1001::says
 
@@ -41,7 +46,8 @@ void describe(Finding& finding, ListContext const& context, grammar::Problem con
                             : byte < 0x80 ? hexadecimal("U+%04X", byte)
                                           : "U+0080";
   finding.message = message(undefined ? says::undefined : says::headline, {{"character", shown}});
-  finding.help.push_back(message(says::help));
+  // Deleting those of a file of an old Macintosh would make one line of it.
+  finding.help.push_back(message(byte == '\r' ? says::help_line_end : says::help));
 }
 
 /// Calls `visit(character, span)` for the characters of a token that look like others.

@@ -15,10 +15,10 @@
 namespace axisc::validator::checks::ax4011::says {
 
 constexpr Sentence headline{
-    "the axes of the channel are out of step: their filter delays differ by {cycles} cycles ({milliseconds} "
+    "the axes of the channel are out of step: their filter delays differ by {cycles} ({milliseconds} "
     "ms)",
     "die Achsen des Kanals laufen nicht synchron: ihre Filterverzögerungen unterscheiden sich um {cycles} "
-    "Zyklen ({milliseconds} ms)"};
+    "({milliseconds} ms)"};
 constexpr Sentence odd{"axis \"{axis}\" is out of step with the others: `{filter}` makes the difference",
                        "Achse „{axis}“ läuft nicht mit den anderen: `{filter}` macht den Unterschied"};
 constexpr Sentence limit{
@@ -161,7 +161,7 @@ void group_delay_mismatch(GroupContext const& context, Report& report) {
   double const milli = difference * context.whole.cycle_time.microseconds() / 1e3;
   Finding& finding = report.add(
       odd ? *odd->filter->cause : *delays[*last].delay.cause,
-      {says::headline, {{"cycles", cycles_text(difference)}, {"milliseconds", format_rounded(milli, 4)}}});
+      {says::headline, {{"cycles", counted_cycles(difference)}, {"milliseconds", format_rounded(milli, 4)}}});
   finding.label = delay_of(delays[reported]);
   if (odd) {
     finding.notes.push_back(

@@ -7,12 +7,12 @@
 namespace axisc::validator::checks::ax4021::says {
 
 constexpr Sentence headline{
-    R"(gantry "{master}"/"{slave}": the filters of master and slave are {cycles} cycles ({milliseconds} ms) apart)",
-    "Gantry „{master}“/„{slave}“: die Filter von Master- und Slaveachse liegen {cycles} Zyklen "
+    R"(gantry "{master}"/"{slave}": the filters of master and slave are {cycles} ({milliseconds} ms) apart)",
+    "Gantry „{master}“/„{slave}“: die Filter von Master- und Slaveachse liegen {cycles} "
     "({milliseconds} ms) auseinander"};
 constexpr Sentence headline_positions{
-    R"(gantry "{master}"/"{slave}": the positions of master and slave are {cycles} cycles ({milliseconds} ms) apart)",
-    "Gantry „{master}“/„{slave}“: die Positionen von Master- und Slaveachse liegen {cycles} Zyklen "
+    R"(gantry "{master}"/"{slave}": the positions of master and slave are {cycles} ({milliseconds} ms) apart)",
+    "Gantry „{master}“/„{slave}“: die Positionen von Master- und Slaveachse liegen {cycles} "
     "({milliseconds} ms) auseinander"};
 constexpr Sentence headline_same_delay{
     R"(gantry "{master}"/"{slave}": master and slave have different filters)",

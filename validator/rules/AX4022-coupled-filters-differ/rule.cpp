@@ -7,12 +7,12 @@
 namespace axisc::validator::checks::ax4022::says {
 
 constexpr Sentence headline{
-    R"(coupled axes "{master}" and "{slave}": their filters are {cycles} cycles ({milliseconds} ms) apart)",
-    "gekoppelte Achsen „{master}“ und „{slave}“: ihre Filter liegen {cycles} Zyklen ({milliseconds} ms) "
+    R"(coupled axes "{master}" and "{slave}": their filters are {cycles} ({milliseconds} ms) apart)",
+    "gekoppelte Achsen „{master}“ und „{slave}“: ihre Filter liegen {cycles} ({milliseconds} ms) "
     "auseinander"};
 constexpr Sentence headline_positions{
-    R"(coupled axes "{master}" and "{slave}": their positions are {cycles} cycles ({milliseconds} ms) apart)",
-    "gekoppelte Achsen „{master}“ und „{slave}“: ihre Positionen liegen {cycles} Zyklen ({milliseconds} ms) "
+    R"(coupled axes "{master}" and "{slave}": their positions are {cycles} ({milliseconds} ms) apart)",
+    "gekoppelte Achsen „{master}“ und „{slave}“: ihre Positionen liegen {cycles} ({milliseconds} ms) "
     "auseinander"};
 constexpr Sentence headline_same_delay{
     R"(the coupled axes "{master}" and "{slave}" have different filters)",

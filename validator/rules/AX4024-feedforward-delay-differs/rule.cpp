@@ -10,8 +10,8 @@
 namespace axisc::validator::checks::ax4024::says {
 
 constexpr Sentence headline{
-    "the axes of the channel are out of step by {cycles} cycles ({milliseconds}): feedforward differs",
-    "die Achsen des Kanals laufen um {cycles} Zyklen ({milliseconds}) auseinander: die Vorsteuerung ist "
+    "the axes of the channel are out of step by {cycles} ({milliseconds}): feedforward differs",
+    "die Achsen des Kanals laufen um {cycles} ({milliseconds}) auseinander: die Vorsteuerung ist "
     "verschieden"};
 constexpr Sentence deviation{
     "on a line at 45° or a circle at {feed} mm/min that is up to {deviation} µm",
@@ -46,7 +46,7 @@ void feedforward_delay_differs(GroupContext const& context, Report& report) {
   report.axis = reported.axis.name;
   Finding& finding =
       report.add(*line, {says::headline,
-                         {{"cycles", cycles_text(difference)},
+                         {{"cycles", counted_cycles(difference)},
                           {"milliseconds", milliseconds(difference * cycle_time.microseconds())}}});
   for (DelayedAxis const& axis : delays) finding.notes.push_back(delay_after_filters_of(axis));
   if (auto const feed = lowest_velocity_limit(context.whole.machine, context.group)) {

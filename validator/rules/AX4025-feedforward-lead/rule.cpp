@@ -9,16 +9,16 @@
 namespace axisc::validator::checks::ax4025::says {
 
 constexpr Sentence early{
-    "the velocity that is fed forward leads its position by {cycles} cycles ({milliseconds})",
-    "die vorgesteuerte Geschwindigkeit eilt ihrer Position um {cycles} Zyklen ({milliseconds}) voraus"};
+    "the velocity that is fed forward leads its position by {cycles} ({milliseconds})",
+    "die vorgesteuerte Geschwindigkeit eilt ihrer Position um {cycles} ({milliseconds}) voraus"};
 constexpr Sentence late{
-    "the velocity that is fed forward lags its position by {cycles} cycles ({milliseconds})",
-    "die vorgesteuerte Geschwindigkeit eilt ihrer Position um {cycles} Zyklen ({milliseconds}) nach"};
-constexpr Sentence item{"`{parameter}` ({p_axis}) accounts for {cycles} cycles",
-                        "`{parameter}` ({p_axis}) macht davon {cycles} Zyklen aus"};
+    "the velocity that is fed forward lags its position by {cycles} ({milliseconds})",
+    "die vorgesteuerte Geschwindigkeit eilt ihrer Position um {cycles} ({milliseconds}) nach"};
+constexpr Sentence item{"`{parameter}` ({p_axis}) accounts for {cycles}",
+                        "`{parameter}` ({p_axis}) macht davon {cycles} aus"};
 constexpr Sentence default_item{
-    "`{parameter}` ({p_axis}), which is in no list, accounts for {cycles} cycles by default",
-    "`{parameter}` ({p_axis}), das in keiner Liste steht, macht als Standardwert {cycles} Zyklen aus"};
+    "`{parameter}` ({p_axis}), which is in no list, accounts for {cycles} by default",
+    "`{parameter}` ({p_axis}), das in keiner Liste steht, macht als Standardwert {cycles} aus"};
 constexpr Sentence deviation{"at the acceleration limit the axis is {deviation} µm off",
                              "an der Beschleunigungsgrenze weicht die Achse um {deviation} µm ab"};
 constexpr Sentence help{
@@ -41,7 +41,7 @@ void feedforward_lead(AxisContext const& context, Report& report) {
   double const cycles = std::abs(budget->lead());
   Finding& finding =
       report.add(active, {budget->lead() > 0 ? says::early : says::late,
-                          {{"cycles", cycles_text(cycles)},
+                          {{"cycles", counted_cycles(cycles)},
                            {"milliseconds", milliseconds(cycles * context.cycle_time.microseconds())}}});
   for (DelayItem const& item : budget->items) {
     double const share = (item.position - item.velocity) * (budget->lead() > 0 ? 1 : -1);
@@ -49,7 +49,7 @@ void feedforward_lead(AxisContext const& context, Report& report) {
     finding.notes.push_back({item.cause->set() ? says::item : says::default_item,
                              {{"parameter", parameter_name(*item.cause)},
                               {"p_axis", parameter_number(*item.cause)},
-                              {"cycles", cycles_text(share)}}});
+                              {"cycles", counted_cycles(share)}}});
   }
   if (auto const deviation = deviation_of_lead(axis, cycles, context.cycle_time)) {
     finding.notes.push_back({says::deviation, {{"deviation", number(*deviation)}}});
