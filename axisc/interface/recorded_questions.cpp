@@ -33,11 +33,13 @@ CircleQuestion circle_question(Asked const& asked) {
   question.machine.input = asked.text("input");
   question.plane = asked.find("plane");
   for (auto const& text : asked.texts("feed")) {
-    for (auto const& word : split_list(text))
+    for (auto const& word : split_list(text)) {
       question.feeds.push_back(positive_number("--feed", word, "mm/min"));
+    }
   }
-  if (auto const radius = asked.find("radius"))
+  if (auto const radius = asked.find("radius")) {
     question.radius_mm = positive_number("--radius", *radius, "mm");
+  }
   if (auto const most = asked.find("tolerance")) {
     question.tolerance_um = positive_number("--tolerance", *most, "\u00B5m");
   }

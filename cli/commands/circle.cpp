@@ -84,8 +84,9 @@ void read(CircleOptions& options) {
     question.feeds.push_back(positive_number("--feed", word, "mm/min"));
   }
   if (options.radius) question.radius_mm = positive_number("--radius", *options.radius, "mm");
-  if (options.tolerance)
+  if (options.tolerance) {
     question.tolerance_um = positive_number("--tolerance", *options.tolerance, "\u00B5m");
+  }
   question.recorded.setpoints = axis_columns("--setpoint", options.setpoints);
   question.recorded.actuals = axis_columns("--actual", options.actuals);
   question.recorded.units = options.numbers.units();

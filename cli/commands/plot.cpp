@@ -123,8 +123,9 @@ void declare(CommandLine& command_line, PlotOptions& options) {
 
 void read_move(PlotOptions& options) {
   auto& move = options.question.move_at_feed;
-  if (options.contour.feeds)
+  if (options.contour.feeds) {
     move.feed_mm_per_min = positive_number("--feed", *options.contour.feeds, "mm/min");
+  }
   if (options.distance) move.distance_mm = positive_number("--distance", *options.distance, "mm");
 }
 

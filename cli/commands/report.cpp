@@ -61,8 +61,9 @@ void declare(CommandLine& command_line, ReportOptions& options) {
 }
 
 std::string cover_text(std::string_view option, std::optional<std::string> const& text) {
-  if (text && (ascii::trimmed(*text).empty() || !is_visible(*text)))
+  if (text && (ascii::trimmed(*text).empty() || !is_visible(*text))) {
     throw Failure({says::bad_cover, {{"option", option}}});
+  }
   return text.value_or("");
 }
 

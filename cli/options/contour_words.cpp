@@ -29,8 +29,9 @@ ContourRequest read_contour_words(ContourWords const& words) {
   ContourRequest wanted;
   if (words.feeds) {
     wanted.feeds.clear();
-    for (auto const& word : split_list(*words.feeds))
+    for (auto const& word : split_list(*words.feeds)) {
       wanted.feeds.push_back(positive_number("--feed", word, "mm/min"));
+    }
     if (wanted.feeds.empty()) wanted.feeds.push_back(positive_number("--feed", *words.feeds, "mm/min"));
   }
   if (words.orders) {

@@ -88,8 +88,9 @@ std::optional<PositionDifference> compare_positions(AxisPair pair) {
   if (of_slave != nullptr && (slave_is_longer || of_master == nullptr)) {
     return PositionDifference{pair, cycles, pair.slave, *of_slave->cause, true, feedforward_differs};
   }
-  if (of_master != nullptr)
+  if (of_master != nullptr) {
     return PositionDifference{pair, cycles, pair.master, *of_master->cause, true, feedforward_differs};
+  }
   return std::nullopt;
 }
 
