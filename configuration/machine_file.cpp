@@ -7,6 +7,7 @@
 #include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/joined.hpp"
+#include "diagnostics/utf8.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>
@@ -329,8 +330,7 @@ MachineFile read_machine_file(SourceSet const& sources, SourceId source, std::de
 }
 
 bool looks_like_machine_file(std::string_view bytes) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  if (bytes.substr(0, mark.size()) == mark) bytes.remove_prefix(mark.size());
+  bytes = without_byte_order_mark(bytes);
   std::size_t const first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return false;
   return bytes[first] == '{' || bytes.find("\"axes\"") != std::string_view::npos;

@@ -13,10 +13,9 @@ namespace axisc::configuration {
 
 /// None where no control runs with a cycle of this many nanoseconds.
 [[nodiscard]] constexpr std::optional<design::CycleTime> possible_cycle_time(std::uint64_t nanoseconds) {
-  bool const is_possible = nanoseconds >= design::shortest_cycle_time.nanoseconds &&
-                           nanoseconds <= design::longest_cycle_time.nanoseconds;
-  if (!is_possible) return std::nullopt;
-  return design::CycleTime{static_cast<std::uint32_t>(nanoseconds)};
+  if (nanoseconds > design::longest_cycle_time.nanoseconds) return std::nullopt;
+  design::CycleTime const time{static_cast<std::uint32_t>(nanoseconds)};
+  return design::is_possible(time) ? std::optional(time) : std::nullopt;
 }
 
 struct RealTimeList {

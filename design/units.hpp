@@ -46,5 +46,8 @@ inline constexpr double mm_per_min_of_um_per_s = 0.06;
 /// NC cycle times that controls run with; a list or machine that asks for another one has mistaken the unit.
 inline constexpr CycleTime shortest_cycle_time{20'000};
 inline constexpr CycleTime longest_cycle_time{100'000'000};
+[[nodiscard]] constexpr bool is_possible(CycleTime time) {
+  return time >= shortest_cycle_time && time <= longest_cycle_time;
+}
 
 }  // namespace axisc::design

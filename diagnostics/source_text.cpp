@@ -13,8 +13,6 @@
 namespace axisc {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 /// Lines are counted in blocks: a table of all lines would have a thousand entries to find one.
 constexpr std::size_t block_size = 128;
 

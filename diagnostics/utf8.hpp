@@ -11,6 +11,12 @@ namespace axisc {
 /// U+FFFD, shown for bytes that cannot be decoded.
 inline constexpr char32_t replacement_character = 0xFFFD;
 
+/// What Windows writes in front of UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+[[nodiscard]] constexpr std::string_view without_byte_order_mark(std::string_view text) {
+  return text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+}
+
 /// Bytes from the front of `text` that are ASCII, except that up to seven may be missed before the first
 /// other byte. Cost: linear, many bytes at a time.
 [[nodiscard]] std::size_t ascii_prefix(std::string_view text);

@@ -1,3 +1,4 @@
+#include "diagnostics/markup.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
 #include "presentation/prose.hpp"
@@ -9,8 +10,6 @@
 namespace axisc::presentation {
 
 namespace {
-
-using pictures::escaped;
 
 std::string element(std::string_view tag, std::string_view content) {
   return (std::string("<").append(tag) += ">").append(content).append("</").append(tag) += ">";

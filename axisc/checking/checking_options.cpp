@@ -82,11 +82,10 @@ std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> con
   if (!word) return std::nullopt;
   auto const time = parse_cycle_time(*word);
   if (!time) throw Failure({says::bad_cycle_time, {{"value", *word}}});
-  if (*time >= design::shortest_cycle_time && *time <= design::longest_cycle_time) return time;
+  if (design::is_possible(*time)) return time;
   // A bare number was meant in milliseconds.
   auto const meant = parse_cycle_time(*word + "ms");
-  bool const possible =
-      meant && *meant >= design::shortest_cycle_time && *meant <= design::longest_cycle_time;
+  bool const possible = meant && design::is_possible(*meant);
   throw Failure(
       {says::unusual_cycle_time,
        {{"time", exact_number(time->microseconds()) + " µs"}, {"meant", possible ? *word + "ms" : "1ms"}}});

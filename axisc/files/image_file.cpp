@@ -31,12 +31,12 @@ constexpr Sentence version{
     "{file} has another format version ({status}); compile the lists with this axisc",
     "{file} hat eine andere Formatversion ({status}); die Listen mit diesem axisc kompilieren"};
 constexpr Sentence newer{
-    "{file} has content that this axisc does not know ({status}): a newer one wrote it; use that one, or "
+    "{file} has content that this axisc does not know ({status}); run the newer one that wrote it, or "
     "compile "
     "the lists with this one",
-    "{file} hat Inhalt, den dieses axisc nicht kennt ({status}): ein neueres hat es geschrieben; dieses "
-    "verwenden "
-    "oder die Listen hiermit kompilieren"};
+    "{file} hat Inhalt, den dieses axisc nicht kennt ({status}); das neuere verwenden, das die Datei "
+    "geschrieben "
+    "hat, oder die Listen mit diesem kompilieren"};
 constexpr Sentence checksum{
     "{file} was changed after it was written ({status}); copy it again or compile the lists again",
     "{file} wurde nach dem Schreiben verändert ({status}); neu kopieren oder die Listen neu kompilieren"};

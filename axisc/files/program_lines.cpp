@@ -4,6 +4,7 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/sentences.hpp"
 #include "axisc/files/disk_files.hpp"
+#include "diagnostics/utf8.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -72,9 +73,9 @@ void ProgramLines::read(std::function<bool(std::string_view, std::uint32_t)> con
     std::size_t const got = fill(buffer.data() + held, piece);
     buffer.resize(held + got);
     more = got > 0;
-    if (offset == 0 && held == 0 && buffer.rfind("\xEF\xBB\xBF", 0) == 0) {
-      buffer.erase(0, 3);
-      offset = 3;
+    if (offset == 0 && held == 0 && buffer.starts_with(byte_order_mark)) {
+      buffer.erase(0, byte_order_mark.size());
+      offset = byte_order_mark.size();
     }
     std::size_t begin = 0;
     while (true) {

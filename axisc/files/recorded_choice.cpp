@@ -11,8 +11,8 @@
 namespace axisc::says {
 
 constexpr Sentence not_found{
-    "{file} has no column that is {signal} of axis {axis}; name it with {option} COLUMN; there "
-    "are {known}",
+    "{file} has no column that is {signal} of axis {axis}; name it with {option} COLUMN; there are "
+    "{known}",
     "{file} hat keine Spalte für {signal} der Achse {axis}; sie mit {option} SPALTE nennen; vorhanden sind "
     "{known}"};
 constexpr Sentence several{

@@ -26,8 +26,7 @@ constexpr Sentence mixed_marks{
     "{file}:{line}: die Datei hat Dezimalkommas und Dezimalpunkte; ohne Tausendertrennzeichen schreiben"};
 constexpr Sentence comma_separator{
     "{file}:{line}: the number of fields is {fields}, in the header {columns}: decimal commas cannot be told "
-    "from "
-    "the commas that separate; export with tabs or semicolons",
+    "from the commas that separate; export with tabs or semicolons",
     "{file}:{line}: die Zahl der Felder ist {fields}, im Kopf {columns}: Dezimalkommas sind von trennenden "
     "Kommas nicht zu unterscheiden; mit Tabulatoren oder Semikolons exportieren"};
 constexpr Sentence bad_table{

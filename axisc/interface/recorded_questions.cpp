@@ -41,7 +41,7 @@ CircleQuestion circle_question(Asked const& asked) {
     question.radius_mm = positive_number("--radius", *radius, "mm");
   }
   if (auto const most = asked.find("tolerance")) {
-    question.tolerance_um = positive_number("--tolerance", *most, "\u00B5m");
+    question.tolerance_um = positive_number("--tolerance", *most, "µm");
   }
   question.recordings = asked.texts("recording");
   question.recorded.setpoints = axis_columns("--setpoint", asked.texts("setpoint"));

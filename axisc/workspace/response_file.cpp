@@ -2,6 +2,7 @@
 
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/disk_files.hpp"
+#include "diagnostics/utf8.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -56,13 +57,10 @@ void read_response_file(std::string const& file, std::vector<NamedInput>& inputs
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
     throw unreadable(file, configuration::FileError::utf16);
   }
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   bool const has_nul = bytes.find('\0') != std::string::npos;
   auto const before = inputs.size();
   std::size_t number = 0;
-  std::string_view rest = bytes;
-  if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
-  while (!rest.empty()) {
+  for (std::string_view rest = without_byte_order_mark(bytes); !rest.empty();) {
     auto const end = std::min(rest.find(has_nul ? '\0' : '\n'), rest.size());
     auto name = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));

@@ -85,7 +85,7 @@ void read(CircleOptions& options) {
   }
   if (options.radius) question.radius_mm = positive_number("--radius", *options.radius, "mm");
   if (options.tolerance) {
-    question.tolerance_um = positive_number("--tolerance", *options.tolerance, "\u00B5m");
+    question.tolerance_um = positive_number("--tolerance", *options.tolerance, "µm");
   }
   question.recorded.setpoints = axis_columns("--setpoint", options.setpoints);
   question.recorded.actuals = axis_columns("--actual", options.actuals);

@@ -204,10 +204,7 @@ class Lint {
 
   [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
     if (failed_) return ExitStatus::failure;
-    auto const counts = report.counts();
-    bool const fails =
-        options_.fail_on != FailOn::never && (objectionable(options_.checking, counts) ||
-                                              (options_.fail_on == FailOn::warning && counts.warnings > 0));
+    bool const fails = options_.fail_on != FailOn::never && objectionable(options_.checking, report.counts());
     // Nothing was written: the files still contain what the patch would fix.
     return would_change_ || fails ? ExitStatus::findings : ExitStatus::success;
   }
@@ -274,6 +271,7 @@ ExitStatus lint(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   if (options.changed_since && options.named.empty()) options.named = {"."};
   require_sense(command_line, options);
+  if (options.fail_on == FailOn::warning) options.checking.werror = true;
   Lint lint(options, invocation.language, use_color(command_line.color(), system::Stream::output),
             invocation.streams);
   if (auto const language = lint.language_of_settings(); language && !names_language(invocation.arguments)) {

@@ -11,7 +11,7 @@
 
 namespace axisc::cli {
 
-/// The least severity that leads to exit status 1.
+/// The least severity that leads to exit status 1; `warning` is --werror.
 enum class FailOn : std::uint8_t { error, warning, never };
 
 struct LintOptions {

@@ -192,7 +192,7 @@ std::string_view local_name(std::string_view name) {
 }
 
 Encoding xml_encoding(std::string_view bytes) {
-  std::size_t const begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  std::size_t const begin = bytes.size() - without_byte_order_mark(bytes).size();
   bool const declares = bytes.substr(begin).starts_with("<?xml");
   std::string_view const declaration =
       bytes.substr(0, declares ? std::min(bytes.find("?>"), bytes.size()) : 0);

@@ -2,6 +2,7 @@
 
 #include "configuration/xml/xml_document.hpp"
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/utf8.hpp"
 #include "schema/catalogue.hpp"
 
 #include <algorithm>
@@ -57,8 +58,7 @@ struct FirstElement {
 };
 
 FirstElement first_element(std::string_view bytes) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  if (bytes.starts_with(mark)) bytes.remove_prefix(mark.size());
+  bytes = without_byte_order_mark(bytes);
   for (;;) {
     std::size_t const begin = bytes.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos || bytes[begin] != '<') return {};

@@ -12,7 +12,7 @@ namespace {
 
 /// A command ends with its line; percent signs introduce what was escaped. Properties are separated by commas
 /// and begin after a colon, so both are escaped there too. Other characters are printable.
-std::string escaped(std::string_view text, bool is_property) {
+std::string command_text(std::string_view text, bool is_property) {
   std::string result;
   while (!text.empty()) {
     DecodedCharacter const character = decode_utf8(text);
@@ -51,12 +51,12 @@ class GithubReport final : public ReportWriter {
            std::string_view /*fingerprint*/) override {
     ((out += "::") += command_of(finding.severity)) += ' ';
     if (std::string_view const file = file_of(finding, sources); !file.empty()) {
-      out += "file=" + escaped(shown_path(context_.paths, file), true);
+      out += "file=" + command_text(shown_path(context_.paths, file), true);
       if (finding.place) out += numbers(locate(*finding.place, sources));
       out += ',';
     }
-    out += "title=" + escaped(code_text(finding.code) + ' ' + std::string(finding.name), true);
-    out += "::" + escaped(whole_message(finding, language_, Values::printable), false) + '\n';
+    out += "title=" + command_text(code_text(finding.code) + ' ' + std::string(finding.name), true);
+    out += "::" + command_text(whole_message(finding, language_, Values::printable), false) + '\n';
   }
 
  private:

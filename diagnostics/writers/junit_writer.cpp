@@ -1,4 +1,5 @@
 #include "diagnostics/location.hpp"
+#include "diagnostics/markup.hpp"
 #include "diagnostics/terminal.hpp"
 #include "diagnostics/writers/report_writer.hpp"
 
@@ -8,35 +9,6 @@
 
 namespace axisc {
 namespace {
-
-/// XML has no other control characters than these, not even escaped. In attributes a parser turns them into
-/// blanks unless they are escaped.
-std::string xml(std::string_view text) {
-  std::string result;
-  for (char const byte : text) {
-    switch (byte) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      case '\n': result += "&#10;"; break;
-      default: result += byte;
-    }
-  }
-  return result;
-}
-
-/// Lines of printable text.
-std::string printable(std::string_view text) {
-  std::string shown;
-  while (true) {
-    auto const end = text.find('\n');
-    append_printable(shown, text.substr(0, end));
-    if (end == std::string_view::npos) return shown;
-    shown += '\n';
-    text.remove_prefix(end + 1);
-  }
-}
 
 class JunitReport final : public ReportWriter {
  public:
@@ -53,16 +25,17 @@ class JunitReport final : public ReportWriter {
       name += ' ' + line + ':' + std::to_string(location.begin.column);
       place = R"(" line=")" + line;
     }
-    auto const whole = printable(whole_message(finding, language_, Values::printable));
-    cases_ += R"(<testcase classname=")" + xml(printable(file)) + R"(" name=")" + xml(name) + R"(" file=")" +
-              xml(printable(file)) + place + R"("><failure type=")" +
-              std::string(severity_name(finding.severity)) + R"(" message=")" +
-              xml(whole.substr(0, whole.find('\n'))) + "\">" + xml(whole) + "</failure></testcase>\n";
+    auto const shown = escaped(printable(file));
+    auto const whole = escaped(whole_message(finding, language_, Values::printable));
+    cases_ += R"(<testcase classname=")" + shown + R"(" name=")" + escaped(name) + R"(" file=")" + shown +
+              place + R"("><failure type=")" + std::string(severity_name(finding.severity)) +
+              R"(" message=")" + whole.substr(0, whole.find('\n')) + "\">" + whole +
+              "</failure></testcase>\n";
     ++failures_;
   }
 
   void add_failure(std::string const& sentence) override {
-    auto const text = xml(printable(sentence));
+    auto const text = escaped(printable(sentence));
     cases_ +=
         R"(<testcase classname="axisc" name=")" + text + R"("><error message=")" + text + "\"/></testcase>\n";
     ++errors_;

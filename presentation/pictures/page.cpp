@@ -1,5 +1,6 @@
 #include "presentation/pictures/page.hpp"
 
+#include "diagnostics/markup.hpp"
 #include "diagnostics/message.hpp"
 #include "embedded.hpp"
 #include "presentation/pictures/svg.hpp"

@@ -1,6 +1,7 @@
 #include "presentation/pictures/svg.hpp"
 
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/markup.hpp"
 #include "presentation/pictures/projection.hpp"
 #include "presentation/pictures/simplification.hpp"
 #include "presentation/pictures/svg_text.hpp"

@@ -1,5 +1,7 @@
 #include "presentation/pictures/svg_text.hpp"
 
+#include "diagnostics/markup.hpp"
+
 #include <cmath>
 #include <cstdlib>
 
@@ -13,20 +15,6 @@ std::string pixels(double value) {
   if (rest == 0) return text;
   text += rest < 10 ? ".0" : ".";
   return text + std::to_string(rest % 10 == 0 ? rest / 10 : rest);
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (char const byte : text) {
-    switch (byte) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += byte;
-    }
-  }
-  return result;
 }
 
 std::string attribute(std::string_view name, std::string_view value) {

@@ -9,9 +9,6 @@ namespace axisc::pictures {
 /// With two decimals at most and no trailing zeros: a hundredth of a pixel cannot be seen. `value` is finite.
 [[nodiscard]] std::string pixels(double value);
 
-/// Text between tags or in an attribute.
-[[nodiscard]] std::string escaped(std::string_view text);
-
 /// ` name="value"`.
 [[nodiscard]] std::string attribute(std::string_view name, std::string_view value);
 [[nodiscard]] std::string attribute(std::string_view name, double value);

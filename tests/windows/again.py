@@ -9,9 +9,16 @@ import subprocess
 import sys
 import xml.etree.ElementTree
 
+
+def escaped(name):
+    """As a filter that means this name alone."""
+    return re.sub(r"([\\,\[])", r"\\\1", name)
+
+
 tests, *filters = sys.argv[1:]
 # It ends with the number of names.
-names = subprocess.run([tests, *filters, "--list-test-names-only"], capture_output=True, text=True).stdout.splitlines()
+listed = subprocess.run([tests, *filters, "--list-test-names-only"], capture_output=True, text=True)
+names = listed.stdout.splitlines()
 run = subprocess.run([tests, *filters, "-r", "junit"], stdout=subprocess.PIPE)
 bad = [
     case.get("name")
@@ -26,5 +33,5 @@ print(f"{len(names)} tests", flush=True)
 for _ in range(3):
     if failed:
         print(f"again: {failed}", flush=True)
-    failed = [name for name in failed if subprocess.run([tests, re.sub(r"([\\,\[])", r"\\\1", name)]).returncode]
+    failed = [name for name in failed if subprocess.run([tests, escaped(name)]).returncode]
 sys.exit(f"failed every time: {failed}" if failed else 0)

@@ -15,8 +15,6 @@
 namespace axisc::validator {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 /// Words that say how a path is driven have rules of their own.
 bool drives_path(int function) {
   return schema::find_motion_word(function) != nullptr;

@@ -172,10 +172,13 @@ class CompareFigure {
       auto values = difference(computed_[i].overlay);
       std::erase_if(values, [](double value) { return !std::isfinite(value); });
       pictures::Curve curve{.name = computed_[i].name, .role = role_of(i), .colour = i};
+      std::vector<double> frequencies;
       for (int k = 1; k < spectrum_points && !values.empty(); ++k) {
-        double const frequency = nyquist * k / spectrum_points;
-        curve.points.push_back(
-            {.x = frequency, .y = motion::amplitude_at(values, cycle_seconds_, frequency) * scale()});
+        frequencies.push_back(nyquist * k / spectrum_points);
+      }
+      auto const amplitudes = motion::amplitudes_at(values, cycle_seconds_, frequencies);
+      for (std::size_t k = 0; k < frequencies.size(); ++k) {
+        curve.points.push_back({.x = frequencies[k], .y = amplitudes[k] * scale()});
       }
       panel.curves.push_back(std::move(curve));
     }

@@ -129,10 +129,11 @@ class PlantFigure {
     for (auto& curve : panel.curves) {
       auto const accelerations = load_accelerations(record(curve), phase, false);
       auto const points = accelerations.empty() ? 0 : static_cast<int>((highest - lowest) / spectrum_step);
-      for (int i = 0; i <= points && points > 0; ++i) {
-        double const frequency = lowest + i * spectrum_step;
-        curve.points.push_back(
-            {.x = frequency, .y = motion::amplitude_at(accelerations, run_.cycle_seconds, frequency)});
+      std::vector<double> frequencies;
+      for (int i = 0; i <= points && points > 0; ++i) frequencies.push_back(lowest + i * spectrum_step);
+      auto const amplitudes = motion::amplitudes_at(accelerations, run_.cycle_seconds, frequencies);
+      for (std::size_t i = 0; i < frequencies.size(); ++i) {
+        curve.points.push_back({.x = frequencies[i], .y = amplitudes[i]});
       }
     }
     fit(panel.y, panel.curves, true);

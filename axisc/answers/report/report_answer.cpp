@@ -161,6 +161,7 @@ std::optional<ReportAnswer> report_answer(Workspace& workspace, ReportQuestion c
     if (!old.difference) return std::nullopt;
     if (auto const& loaded_before = old.before->loaded) {
       files.insert(files.end(), loaded_before->files.begin(), loaded_before->files.end());
+      add_settings_files(workspace.settings(), loaded_before->path, files);
     }
     difference.emplace(ShownDifference{.before = *question.before,
                                        .after = input,

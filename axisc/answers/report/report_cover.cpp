@@ -1,6 +1,7 @@
 #include "axisc/answers/labels.hpp"
 #include "axisc/answers/report/cover_space.hpp"
 #include "axisc/answers/report/overview.hpp"
+#include "diagnostics/markup.hpp"
 #include "presentation/pictures/svg_text.hpp"
 #include "presentation/pictures/text_width.hpp"
 
@@ -51,8 +52,6 @@ namespace axisc {
 using namespace presentation;
 
 namespace {
-
-using pictures::escaped;
 
 std::string paragraph(std::string_view kind, std::string const& words) {
   return "<p" + pictures::attribute("class", kind) + ">" + escaped(words) + "</p>\n";

@@ -1,5 +1,6 @@
 #include "axisc/answers/report/report_page.hpp"
 
+#include "diagnostics/markup.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
 #include "presentation/pictures/text_width.hpp"
@@ -90,14 +91,13 @@ std::string report_page(ReportSubject const& subject) {
   text += subject.language == Language::german ? "de" : "en";
   text += "\"><head><meta charset=\"utf-8\">\n";
   text += R"(<meta name="viewport" content="width=device-width,initial-scale=1">)";
-  text += "\n<title>" + pictures::escaped(title) + "</title>\n<style>\n";
+  text += "\n<title>" + escaped(title) + "</title>\n<style>\n";
   text.append(pictures::page_style()).append(style()).append(page_margins(subject.cover));
   text += "</style></head>\n<body><main>\n" + cover.html;
   text += "<nav" + pictures::attribute("aria-label", subject.say(says::content_of)) + "><ul>";
   for (auto const& part : parts) {
     if (part.html.empty()) continue;
-    text += "<li><a href=\"#" + std::string(part.id) + "\">" + pictures::escaped(subject.say(part.name)) +
-            "</a></li>";
+    text += "<li><a href=\"#" + std::string(part.id) + "\">" + escaped(subject.say(part.name)) + "</a></li>";
   }
   text += "</ul></nav>\n";
   for (auto const& part : parts) {

@@ -101,11 +101,12 @@ TEST_CASE("no picture, page or table replaces a file of the machine or of its se
       {"simulate", "machine.json", "--program", "part.nc", "-o"},
       {"compile", "machine.json", "-o"},
       {"lint", "machine.json", "--write-baseline"}};
+  folder.write("before/axisc.json", R"({"schema": ["../schema.json"]})");
   auto const before = contents(folder);
-  for (std::string const file :
-       {"machine.json", "default.lis", "x.lis", "part.nc", "axisc.json", "schema.json", "before/y.lis"}) {
+  for (std::string const file : {"machine.json", "default.lis", "x.lis", "part.nc", "axisc.json",
+                                 "schema.json", "before/y.lis", "before/axisc.json"}) {
     for (auto arguments : commands) {
-      if (file == "before/y.lis" && arguments[2] != "--before") continue;
+      if (file.starts_with("before/") && arguments[2] != "--before") continue;
       fs::create_symlink(file, folder / "out.svg");
       arguments.emplace_back("out.svg");
       auto const outcome = run_axisc(arguments, there);
