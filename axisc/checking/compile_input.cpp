@@ -47,9 +47,11 @@ void compile(CompileJob const& job, std::string const& path, CompiledInput& comp
       [&checked](Finding&& finding, SourceSet const&) { checked.findings.push_back(std::move(finding)); });
   if (checked.failure) throw Failure(*checked.failure);
   compiled.skipped = judged.result.is_other_list && job.skips_other_lists;
-  if (!compiled.skipped) require_cycle_time(path, judged.result);
+  // Errors first: one of them may be why the cycle time is not known.
+  bool const ends_here = compiled.skipped || objectionable(job.checking, judged.counts);
+  if (!ends_here) require_cycle_time(path, judged.result);
   compiled.checked = std::move(checked);
-  if (compiled.skipped || objectionable(job.checking, judged.counts)) return;
+  if (ends_here) return;
   require_machine(path, judged.result, compiled.checked.sources, job.language);
   compiled.image = image_of(*judged.result.machine, job, path);
 }

@@ -176,6 +176,7 @@ std::optional<ChosenColumn> find_column(RecordingFile const& file, AxisPlace con
   if (found.empty()) return std::nullopt;
   if (found.size() > 1) {
     std::vector<std::size_t> channels;
+    channels.reserve(found.size());
     for (auto const& each : found) channels.push_back(each.channel);
     throw refusal(says::several, file, axis, object, option, channels);
   }
@@ -187,6 +188,7 @@ std::optional<ChosenColumn> find_column(RecordingFile const& file, AxisPlace con
 std::vector<ChosenColumn> choose_columns(RecordingFile const& file, AxisPlace const& axis,
                                          std::vector<WantedSignal> const& wanted) {
   std::vector<std::optional<ChosenColumn>> chosen;
+  chosen.reserve(wanted.size());
   for (auto const& signal : wanted) {
     chosen.push_back(signal.column ? named_column(file, *signal.column)
                                    : find_column(file, axis, signal.object, signal.option));

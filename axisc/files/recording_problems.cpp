@@ -143,7 +143,6 @@ namespace axisc {
 namespace {
 
 using recordings::BadRecording;
-using recordings::ClockProblem;
 using recordings::CycleProblem;
 using recordings::RecordingProblem;
 

@@ -65,8 +65,9 @@ class Lint {
     report_format_.write = {.language = language, .color = color, .width = printed_width()};
     workspace_.take(inputs_);
     choice_ = fix_choice(options);
-    if (options.changed_since)
+    if (options.changed_since) {
       keep_changed(inputs_, changed_since(*options.changed_since), workspace_.settings());
+    }
   }
 
   /// The language in the first input's settings; `--lang` is read elsewhere.

@@ -22,15 +22,14 @@ void check_resembling(grammar::NcCommand const& command, std::string_view text, 
   std::string letters = ascii::upper_case(written);
   std::erase_if(letters, [](char byte) { return byte == '_' || ascii::is_blank(byte); });
   for (CommandKind const kind : {CommandKind::filter, CommandKind::vibration_guard}) {
-    std::string const proper(proper_name(kind));
-    std::string meant = proper;
-    std::erase(meant, ' ');
     // Also without the blank before ON or OFF.
-    for (std::string const switched : {"", "ON", "OFF"}) {
+    for (std::string_view const switched : {"", " ON", " OFF"}) {
+      std::string const better = std::string(proper_name(kind)).append(switched);
+      std::string meant = better;
+      std::erase(meant, ' ');
       bool const is_meant =
-          switched.empty() ? schema::edit_distance(letters, meant, 1) <= 1 : letters == meant + switched;
+          switched.empty() ? schema::edit_distance(letters, meant, 1) <= 1 : letters == meant;
       if (!is_meant) continue;
-      auto const better = switched.empty() ? proper : proper + " " + switched;
       add_mistake(checked, kind, syntax_mistake, command.resembling, says::filter_syntax_misspelt,
                   {{"text", written}, {"command", better}})
           .better = better;

@@ -1,6 +1,7 @@
 #include "validator/loading/loader.hpp"
 
 #include "configuration/machine_file_name.hpp"
+#include "configuration/real_time_list.hpp"
 #include "configuration/xml/xml_list.hpp"
 #include "configuration/xml/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 #include <utility>
 
 namespace axisc::validator {
@@ -143,7 +145,7 @@ std::optional<configuration::FileError> Loader::load_text() {
     load_start_up_list(source);
   } else if (xml_kind.has_value()) {
     // It holds only changes, so nothing else is judged.
-    add_other_list(source, *xml_kind, std::string(file_name(machine_.path)));
+    load_single_other(source, *xml_kind);
   } else if (!sources_[source].is_translation()) {
     load_single(source);
   }
@@ -158,7 +160,6 @@ bool Loader::is_machine_file(std::string const& path) {
 }
 
 void Loader::load_single(SourceId source) {
-  std::string file(file_name(machine_.path));
   SourceText const& text = sources_[source];
   bool const is_axis_list = !options_.kind || options_.kind == ListKind::axis;
   std::optional<ListKind> kind = options_.kind;
@@ -169,18 +170,26 @@ void Loader::load_single(SourceId source) {
     if (!kind && options_.from_folder) kind = configuration::kind_numbered_in(text.list_bytes());
     if (!kind && !options_.from_folder) kind = ListKind::axis;
     if (kind == ListKind::axis) {
-      machine_.lists.push_back(
-          {.name = file, .list = loaded(text, source, options_.catalogue, std::move(read))});
+      machine_.lists.push_back({.name = std::string(file_name(machine_.path)),
+                                .list = loaded(text, source, options_.catalogue, std::move(read))});
     }
   }
   if (!kind) machine_.list_of_unknown_kind = source;
-  if (kind && kind != ListKind::axis) add_other_list(source, *kind, std::move(file));
+  if (kind && kind != ListKind::axis) load_single_other(source, *kind);
   if (machine_.lists.empty()) return;
   LoadedAxis& axis = add_axis(0, std::nullopt);
   EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
   bool const named = name.set() && !name.unusable && !name.value.text.empty();
   axis.name = named ? std::string(name.value.text) : machine_.name;
   machine_.name = axis.name;
+}
+
+void Loader::load_single_other(SourceId source, ListKind kind) {
+  add_other_list(source, kind, std::string(file_name(machine_.path)));
+  // What it says of the cycle time is judged; the cycle time is that of a machine.
+  if (kind == ListKind::real_time) {
+    std::ignore = configuration::read_real_time_list(sources_[source], source, machine_.findings);
+  }
 }
 
 void Loader::add_other_list(SourceId source, ListKind kind, std::string name) {

@@ -34,6 +34,8 @@ class Loader {
   /// A list, a machine file, or a start-up list.
   std::optional<configuration::FileError> load_text();
   void load_single(SourceId source);
+  /// A list of another kind that is judged by itself.
+  void load_single_other(SourceId source, configuration::ListKind kind);
   void add_default_group();
   /// What the lists of a channel say about its motion; `number` is its index in the start-up list.
   /// `look_ahead` is what is said outside of channel lists.

@@ -238,6 +238,25 @@ TEST_CASE("settings choose the files of folders, and say what kind of list they 
   CHECK(unknown.status == 2);
 }
 
+TEST_CASE("compile shows the mistake for which the cycle time is not known") {
+  TemporaryFolder const folder;
+  auto const there = copy_of_sample(folder);
+  folder.write("listen/rtconf.lis", "thread[0].function[0].name task_int\nthread[0].cycle 2ms\n");
+  auto const outcome = run_axisc({"compile", ".", "-o", "x.axim"}, there);
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.find("listen/rtconf.lis:2:17") != std::string::npos);
+}
+
+TEST_CASE("a real-time list by itself is judged by its cycle time, too") {
+  TemporaryFolder const folder;
+  folder.write("rtconf.lis", "thread[0].function[0].name task_int\nthread[0].cycle 2\n");
+  auto const outcome = run_axisc({"lint", "rtconf.lis", "--kind", "real_time"}, in_folder(folder.path()));
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find("rtconf.lis:2:17") != std::string::npos);
+  CHECK(outcome.out.find("AX4020") != std::string::npos);
+  CHECK(run_axisc({"lint", "rtconf.lis"}, in_folder(folder.path())).status == 1);
+}
+
 TEST_CASE("fixes mend nothing but misspelt names in lists of other kinds") {
   TemporaryFolder const folder;
   auto const there = copy_of_sample(folder);
