@@ -186,6 +186,8 @@ constexpr std::array row_keys = {
     JsonKey{"symbols", &symbols_shape, optional,
             "Words of an enumeration with their numbers, null where none is documented. A boolean always "
             "knows FALSE and TRUE; its symbols are further words for 0 and 1."},
+    JsonKey{"flags", &configuration::json_flag, optional,
+            "The numbers of the words are bits: a list joins several words by `|`, or writes the sum."},
     JsonKey{"number_names", &number_names_shape, optional,
             "What single numbers mean, in words for people; lists cannot write them."},
     JsonKey{"max_length", &max_length_shape, optional, "Of a string, in characters."},

@@ -55,6 +55,35 @@ TEST_CASE("names") {
   CHECK(line("filter[0.order 2", 1004) == "filter[0].order 2");
 }
 
+TEST_CASE("joined words are corrected one by one") {
+  CHECK(line("vorsteuer.vorsteuerung ADD_VEL | ADD_AC", 2007) == "vorsteuer.vorsteuerung ADD_VEL | ADD_ACC");
+  CHECK(line("vorsteuer.vorsteuerung VEL |", 2007) == "none");
+}
+
+TEST_CASE("a fix that decides between two values is none of the safe ones") {
+  auto const safety = [](std::string const& text, std::uint16_t code) -> std::string {
+    tests::MapFiles files(std::map<std::string, std::string>{{"x.lis", text}});
+    SourceSet sources;
+    validator::CheckOptions options;
+    options.cycle_time = design::CycleTime{1'000'000};
+    for (Finding const& finding : validator::check(files, "x.lis", options, sources).findings) {
+      if (finding.code != Code{code}) continue;
+      if (!finding.fix) return "none";
+      return finding.fix->safety == FixSafety::safe ? "safe" : "all";
+    }
+    return "no finding";
+  };
+  CHECK(safety("filter[0].order 2\nfilter[0].order 0x2\n", 2006) == "safe");
+  CHECK(safety("filter[0].order 2\nfilter[0].order 3\n", 2006) == "all");
+  // The control may ignore the second name.
+  CHECK(safety("filter[0].order 2\nFilter[0].order 2\n", 2006) == "all");
+  CHECK(safety("filter[0].order 2\nFilter[0].order 2\n", 1010) == "all");
+  CHECK(safety("Filter[0].order 2\n", 1010) == "safe");
+  // A reference that leads nowhere changes nothing, and one that leads to itself is no value.
+  CHECK(safety("filter[0].fg_f0 20\nfilter[0].fg_f0 P-AXIS-99999\n", 2006) == "no finding");
+  CHECK(safety("filter[0].fg_f0 20\nfilter[0].fg_f0 P-AXIS-00067\n", 2006) == "none");
+}
+
 TEST_CASE("a slip in a family that is compiled is an error") {
   auto const is_error = [](std::string const& text) {
     tests::MapFiles files(std::map<std::string, std::string>{{"x.lis", text}});

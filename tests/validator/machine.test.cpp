@@ -134,6 +134,7 @@ TEST_CASE("features whose error was silenced are named, never left out in silenc
         "filter[0].enable 1\nfilter[0].order 2,0 ( axisc: allow AX1005\n",
         "filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 201 ( axisc: allow AX3001\n",
         "filter_fir.type 5,0 ( axisc: allow AX1005\n",
+        "filter_fir.enable 1\nfilter_fir.type 5 ( axisc: allow AX2005\nfilter_fir.order 20\n",
         "filter[0].prototype HSC\nfilter[0].order 201 ( axisc: allow AX3001\n",
         "lr_param.add_interface.enable off ( axisc: allow AX2003\n"
         "lr_param.add_interface.filter[0].enable 1\nlr_param.add_interface.filter[0].type LOWPASS\n"

@@ -87,8 +87,34 @@ TEST_CASE("AX4011: axes of a channel that are delayed differently") {
   CHECK(found({{"x", fir(1, 19), ""}, {"y", fir(1, 20), ""}}).empty());
   CHECK(found({{"x", "filter_fir.type 1\nfilter_fir.order 20\n", ""}, {"y", "", ""}}) ==
         Lines{"x.lis:3:18 AX4011"});
-  CHECK(found({{"x", "filter[0].prototype HSC\nfilter[0].order 20\n", ""}, {"y", fir(4, 10), ""}}).empty());
   CHECK(found({{"x", "filter[0].prototype HSC\n", ""}, {"y", "", ""}}) == Lines{"x.lis:2:21 AX4011"});
+}
+
+TEST_CASE("AX4011: filters that agree, of which one does not work from start-up") {
+  std::string const off = "filter_fir.type 1\nfilter_fir.order 20\n";
+  Checked const checked = machine_text({{"x", fir(1, 20), ""}, {"y", off, ""}});
+  REQUIRE(checked.found() == Lines{"x.lis:4:18 AX4011"});
+  Finding const& finding = checked.result.findings.front();
+  CHECK(render(finding.message, Language::english) ==
+        "the axes of the channel are out of step from start-up on: their filter delays differ by 10 cycles "
+        "(10 ms)");
+  CHECK_FALSE(finding.fix);
+  CHECK(found({{"x", off, ""}, {"y", off, ""}}).empty());
+  CHECK(found({{"x", off, ""}, {"y", "filter_fir.type 4\nfilter_fir.order 10\n", ""}}).empty());
+  // A HSC filter waits for its command, a time delay does not.
+  CHECK(found({{"x", "filter[0].prototype HSC\nfilter[0].order 20\n", ""}, {"y", fir(4, 10), ""}}) ==
+        Lines{"y.lis:4:18 AX4011"});
+}
+
+TEST_CASE("AX4011's time delay is on where the other filter is, and beside a HSC filter there is none") {
+  Checked const off = machine_text({{"x", "filter_fir.type 1\nfilter_fir.order 20\n", ""}, {"y", "", ""}});
+  REQUIRE(off.found() == Lines{"x.lis:3:18 AX4011"});
+  CHECK(fixed(off, off.result.findings.front(), "y.lis") ==
+        "kopf.achs_nr 2\nfilter_fir.type 4\nfilter_fir.order 10\n");
+  Checked const hsc =
+      machine_text({{"x", "filter[0].prototype HSC\nfilter[0].order 20\n", ""}, {"y", "", ""}});
+  REQUIRE(hsc.found() == Lines{"x.lis:3:17 AX4011"});
+  CHECK_FALSE(hsc.result.findings.front().fix);
 }
 
 TEST_CASE("AX4011: standard filters delay too") {
@@ -215,7 +241,7 @@ TEST_CASE("AX4010: different filters with the same delay") {
   CHECK(found(delayed).empty());
   CHECK(found(delayed, "", true) == Lines{"y.lis:4:18 AX4010"});
   CHECK(found({{"x", fir(1, 20), ""}, {"y", "filter_fir.type 1\nfilter_fir.order 20\n", ""}}, "", true) ==
-        Lines{"y.lis:3:18 AX4010"});
+        Lines{"x.lis:4:18 AX4011"});
   CHECK(found({{"x", fir(1, 20), ""}, {"y", fir(1, 20) + "filter_fir.fcut 30\n", ""}}, "", true).empty());
 }
 

@@ -117,7 +117,7 @@ class AxisBuilder {
   void add_kernel(machine::AxisConfiguration& result) {
     for (FilterView const& filter : configured_hsc(views_.filters)) add_hsc(filter, result);
     FirView const& fir = views_.fir;
-    if (!fir.configured() && !fir.type.unusable) return add_guard(result);
+    if (!fir.configured() && !fir.type.unusable && !fir.has_unknown_type()) return add_guard(result);
     auto const specification = fir.specification(cycle_time_);
     if (specification && !result.kernel) {
       result.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,

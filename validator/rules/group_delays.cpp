@@ -18,6 +18,18 @@ Wording cycles_text(double cycles) {
   return format_rounded(std::round(cycles * 1000) / 1000, 6);
 }
 
+/// Its linear-phase filter is the last in the chain.
+void leave_out_kernel(AxisDelay& delay) {
+  delay.cycles -= delay.shares.back().cycles;
+  delay.shares.pop_back();
+  delay.kernel.reset();
+  auto const less = [](DelayShare const& left, DelayShare const& right) {
+    return std::abs(left.cycles) < std::abs(right.cycles);
+  };
+  auto const most = std::max_element(delay.shares.begin(), delay.shares.end(), less);
+  delay.cause = most == delay.shares.end() ? nullptr : most->cause;
+}
+
 }  // namespace
 
 Delays delays_of(GroupContext const& context) {
@@ -29,6 +41,13 @@ Delays delays_of(GroupContext const& context) {
     if (auto const delay = axis_delay(axis.merged.values, context.whole.cycle_time)) {
       delays.push_back({axis, *delay, delay_after_filters(axis, context.whole.cycle_time)});
     }
+  }
+  return delays;
+}
+
+Delays at_start(Delays delays) {
+  for (DelayedAxis& axis : delays) {
+    if (axis.delay.kernel && !axis.delay.kernel->on_at_start) leave_out_kernel(axis.delay);
   }
   return delays;
 }

@@ -27,6 +27,9 @@ using Delays = std::vector<DelayedAxis>;
 /// masters (AX4021).
 [[nodiscard]] Delays delays_of(GroupContext const& context);
 
+/// The same axes with the filters that work from start-up alone.
+[[nodiscard]] Delays at_start(Delays delays);
+
 [[nodiscard]] bool less_delayed(DelayedAxis const& left, DelayedAxis const& right);
 
 /// The least and the most delayed axis after the filters; null without axes.

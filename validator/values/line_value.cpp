@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <string_view>
 
 namespace axisc::validator {
@@ -155,13 +156,14 @@ class Judge {
       double const value = integer();
       schema::Symbol const* const symbol = schema::symbol_of_number(parameter, value);
       if (symbol != nullptr) return accept(schema::value_of(*symbol));
-      if (schema::is_bit_mask(parameter) || has_unknown_numbers(parameter)) {
+      bool const is_mask = schema::is_bit_mask(parameter) && !has_unknown_bits(parameter, value);
+      if (is_mask || has_unknown_numbers(parameter)) {
         return accept({.number = value, .text = {}});
       }
       return fail(ReadingStatus::unknown_symbol);
     }
     if (assignment_.kind == ValueKind::real) return fail(ReadingStatus::wrong_type);
-    if (schema::is_bit_mask(parameter) || joins_words(parameter)) return bit_mask(parameter);
+    if (joins_words(parameter)) return bit_mask(parameter);
 
     Span const word =
         reading_.quoted
@@ -178,8 +180,27 @@ class Judge {
 
   /// In other kinds of lists words are joined where no document mentions it.
   [[nodiscard]] bool joins_words(schema::Parameter const& parameter) const {
-    return parameter.kind != schema::ListKind::axis &&
-           source_.slice(free_text()).find('|') != std::string_view::npos;
+    bool const is_axis = parameter.kind == schema::ListKind::axis;
+    if (!is_axis && schema::is_bit_mask(parameter)) return true;
+    return (!is_axis || parameter.is_flags) && source_.slice(free_text()).find('|') != std::string_view::npos;
+  }
+
+  /// The text itself, without quotes and without a comment behind it.
+  [[nodiscard]] Span joined_words() const {
+    if (!reading_.quoted) return free_text();
+    return {.begin = assignment_.value.begin + 1, .end = assignment_.value.end - 1};
+  }
+
+  /// True for a number that is no sum of the words' numbers; those of axis lists are all known.
+  [[nodiscard]] static bool has_unknown_bits(schema::Parameter const& parameter, double value) {
+    if (parameter.kind != schema::ListKind::axis) return false;
+    std::uint64_t known = 0;
+    for (schema::Symbol const& symbol : parameter.symbols) {
+      if (!symbol.number) return false;
+      known |= static_cast<std::uint64_t>(*symbol.number);
+    }
+    bool const fits = value >= 0 && value <= static_cast<double>(known);
+    return !fits || (static_cast<std::uint64_t>(value) & ~known) != 0;
   }
 
   /// The numbers of a list's words are documented for few of the other kinds of lists.
@@ -190,19 +211,22 @@ class Judge {
   }
 
   void bit_mask(schema::Parameter const& parameter) {
-    reading_.text = free_text();
-    if (comment_in_text(free_text())) return;
-    std::string_view rest = source_.slice(free_text());
+    reading_.text = joined_words();
+    if (comment_in_text(reading_.text)) return;
+    std::uint64_t bits = 0;
+    std::string_view rest = source_.slice(reading_.text);
     while (true) {
       std::size_t const bar = rest.find('|');
       schema::SymbolReading const symbol =
           schema::read_symbol(parameter, ascii::trimmed(rest.substr(0, bar)));
       if (symbol.symbol == nullptr) return fail(ReadingStatus::unknown_symbol);
       reading_.symbol_folded = reading_.symbol_folded || symbol.folded;
+      bits |= static_cast<std::uint64_t>(symbol.symbol->number.value_or(0));
       if (bar == std::string_view::npos) break;
       rest.remove_prefix(bar + 1);
     }
-    accept({.number = 0, .text = utf8(free_text())});
+    accept({.number = static_cast<double>(bits), .text = utf8(reading_.text)});
+    if (reading_.quoted) text_behind_symbol(assignment_.value.end);
   }
 
   void free_string() {

@@ -43,9 +43,14 @@ FirView::FirView(EffectiveValues const& values)
       quality(values[fir_slots().quality]),
       readings(values.readings()) {}
 
+bool FirView::has_unknown_type() const {
+  double const number = type.value.number;
+  return !type.unusable && (number < 0 || number > static_cast<double>(kernels.size()));
+}
+
 FirType FirView::configured_type() const {
   double const number = type.value.number;
-  if (type.unusable || number < 1 || number > 4) return FirType::none;
+  if (type.unusable || has_unknown_type() || number < 1) return FirType::none;
   return static_cast<FirType>(static_cast<int>(number));
 }
 

@@ -31,6 +31,8 @@ struct FirView {
 
   explicit FirView(EffectiveValues const& values);
 
+  /// A number that is no type of the control's (AX2005).
+  [[nodiscard]] bool has_unknown_type() const;
   /// also none if the type cannot be used or is out of range.
   [[nodiscard]] FirType configured_type() const;
   /// Type 1 to 4, enabled or not: #FILTER may switch it on.

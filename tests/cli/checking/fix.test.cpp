@@ -179,8 +179,7 @@ TEST_CASE("lines that a fix adds have the line ends of their list") {
       R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}]})");
   static_cast<void>(
       run_axisc({"lint", "m.json", "--fix=all", "--disable", "AX2017"}, in_folder(folder.path())));
-  CHECK(folder.read("y.lis") ==
-        "kopf.achs_nr 2\r\nfilter_fir.enable 1\r\nfilter_fir.type 4\r\nfilter_fir.order 10\r\nEnde\r\n");
+  CHECK(folder.read("y.lis") == "kopf.achs_nr 2\r\nfilter_fir.type 4\r\nfilter_fir.order 10\r\nEnde\r\n");
 }
 
 }  // namespace fix_test

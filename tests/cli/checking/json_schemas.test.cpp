@@ -66,7 +66,8 @@ std::vector<FileKind> const& kinds() {
       {"docs/schemas/schema-file.schema.json", "docs/schema-files.md", axisc::schema_file_shape,
        R"json({"version": 1, "parameters": [
         {"id": "P-AXIS-00900", "name": "getriebe[].new_limit", "type": "UNS16", "array": [6], "default": "0", "unit": "us",
-         "minimum": 1, "maximum": "MAX(UNS16)", "number_names": {"off": 0}, "former_name": "kenngr.older", "since": "V3.1.3200.00"},
+         "minimum": 1, "maximum": "MAX(UNS16)", "flags": false, "number_names": {"off": 0},
+         "former_name": "kenngr.older", "since": "V3.1.3200.00"},
         {"name": "a.b", "type": "REAL64", "unit": {"translatory": "mm", "rotary": "deg"},
          "exclusive_minimum": "P-AXIS-00900", "exclusive_maximum": 1e9},
         {"name": "a.c", "type": "STRING", "symbols": {"OFF": 0, "ON_2": null}, "max_length": 8,

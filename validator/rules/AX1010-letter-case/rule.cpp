@@ -2,6 +2,10 @@
 
 #include "diagnostics/ascii.hpp"
 #include "validator/rules/helpers.hpp"
+#include "validator/values/line_values.hpp"
+
+#include <cstddef>
+#include <unordered_set>
 
 namespace axisc::validator::checks::ax1010::says {
 
@@ -19,16 +23,26 @@ namespace {
 constexpr std::string_view end_marker = "Ende";
 
 /// The place of `finding` is the text as written.
-void describe(Finding& finding, std::string written, std::string const& expected) {
+void describe(Finding& finding, std::string written, std::string const& expected,
+              FixSafety safety = FixSafety::safe) {
   finding.message =
       message_of(says::headline, Argument{"written", std::move(written)}, Argument{"expected", expected});
   set_reaction(finding, says::reaction);
-  finding.fix = replace_by(*finding.place, expected, message_of(says::fix, Argument{"expected", expected}),
-                           FixSafety::safe);
+  finding.fix =
+      replace_by(*finding.place, expected, message_of(says::fix, Argument{"expected", expected}), safety);
+}
+
+std::string proper_name(Line const& line) {
+  return schema::slot_name(*line.line_value().row, line.line_value().slot);
 }
 
 void describe_name(Finding& finding, Line const& line) {
-  describe(finding, line.name(), schema::slot_name(*line.line_value().row, line.line_value().slot));
+  describe(finding, line.name(), proper_name(line));
+}
+
+/// A control that ignores the name has another value now.
+void describe_repeated_name(Finding& finding, Line const& line) {
+  describe(finding, line.name(), proper_name(line), FixSafety::changes_behaviour);
 }
 
 void describe_symbol(Finding& finding, Line const& line) {
@@ -36,11 +50,28 @@ void describe_symbol(Finding& finding, Line const& line) {
   describe(finding, written, ascii::upper_case(written));
 }
 
+/// The parameters that several lines set.
+std::unordered_set<schema::Slot> repeated_parameters(LineValues const& values) {
+  std::unordered_set<schema::Slot> repeated;
+  if (!values.has_repetitions()) return repeated;
+  std::unordered_set<schema::Slot> known;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    auto const slot = values.slot(i);
+    if (slot && !known.insert(*slot).second) repeated.insert(*slot);
+  }
+  return repeated;
+}
+
 void letter_case(ListContext const& context, Report& report) {
+  auto const repeated = repeated_parameters(context.list.line_values);
   for_each_doubtful(context, [&](Line const& line) {
     LineValue const& line_value = line.line_value();
     if (line_value.known() && line_value.name_folded) {
-      report_line<describe_name>(report, line, line.assignment().name);
+      if (repeated.contains(line_value.slot)) {
+        report_line<describe_repeated_name>(report, line, line.assignment().name);
+      } else {
+        report_line<describe_name>(report, line, line.assignment().name);
+      }
     }
     if (line_value.symbol_folded && line_value.status == ReadingStatus::value) {
       report_line<describe_symbol>(report, line, line_value.text);

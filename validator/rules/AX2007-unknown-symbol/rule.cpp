@@ -5,6 +5,13 @@
 #include "validator/rules/sentences.hpp"
 #include "validator/sentences.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace axisc::validator::checks::ax2007::says {
 
 constexpr Sentence headline{"`{value}` is not a valid value for `{parameter}`",
@@ -16,9 +23,33 @@ constexpr Sentence reaction{"it does not know the value", "sie kennt den Wert ni
 namespace axisc::validator::checks::ax2007 {
 namespace {
 
+/// The words that `|` joins in the value of a line, or the value itself.
+std::vector<Span> words_of(Line const& line) {
+  Span const whole = line.line_value().text;
+  std::string_view const value = line.context.source.slice(whole);
+  std::vector<Span> words;
+  for (std::size_t begin = 0; begin <= value.size();) {
+    std::size_t const end = std::min(value.find('|', begin), value.size());
+    std::string_view const word = ascii::trimmed(value.substr(begin, end - begin));
+    auto const at = whole.begin + static_cast<std::uint32_t>(word.data() - value.data());
+    words.push_back({.begin = at, .end = at + static_cast<std::uint32_t>(word.size())});
+    begin = end + 1;
+  }
+  return words;
+}
+
+bool is_known(Line const& line, Span word) {
+  return schema::read_symbol(*line.line_value().row, line.text(word)).symbol != nullptr;
+}
+
 void describe(Finding& finding, Line const& line) {
   schema::Parameter const& parameter = *line.line_value().row;
-  std::string const value = line.text(line.line_value().text);
+  std::vector<Span> const words = words_of(line);
+  auto const unknown =
+      std::find_if(words.begin(), words.end(), [&line](Span word) { return !is_known(line, word); });
+  bool const is_word = unknown != words.end() && !unknown->empty();
+  Span const wrong = is_word ? *unknown : line.line_value().text;
+  std::string const value = line.text(wrong);
   finding.message = message_of(says::headline, Argument{"value", value}, Argument{"parameter", line.name()});
   finding.notes.push_back(
       message_of(validator::says::parameter_values, Argument{"values", allowed_values(parameter)}));
@@ -34,22 +65,16 @@ void describe(Finding& finding, Line const& line) {
   }
   if (suggestions.empty()) return;
   std::string const best(suggestions.front());
-  finding.fix = replace_by(line.place(line.line_value().text), best,
+  finding.fix = replace_by(line.place(wrong), best,
                            message_of(validator::says::parameter_fix, Argument{"replacement", best}));
 }
 
-/// One of the words that `|` joins is nearly one of the parameter's.
+/// One of the words is nearly one of the parameter's.
 bool is_misspelt(Line const& line) {
-  std::string const value = line.text(line.line_value().text);
-  std::string_view rest = value;
-  while (true) {
-    std::size_t const bar = rest.find('|');
-    std::string_view const word = ascii::trimmed(rest.substr(0, bar));
-    bool const is_known = schema::read_symbol(*line.line_value().row, word).symbol != nullptr;
-    if (!is_known && !schema::suggest_symbols(*line.line_value().row, word).empty()) return true;
-    if (bar == std::string_view::npos) return false;
-    rest.remove_prefix(bar + 1);
-  }
+  std::vector<Span> const words = words_of(line);
+  return std::any_of(words.begin(), words.end(), [&line](Span word) {
+    return !is_known(line, word) && !schema::suggest_symbols(*line.line_value().row, line.text(word)).empty();
+  });
 }
 
 void unknown_symbol(ListContext const& context, Report& report) {

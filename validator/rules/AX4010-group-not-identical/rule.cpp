@@ -29,6 +29,7 @@ void group_not_identical(GroupContext const& context, Report& report) {
   Delays const delays = delays_of(context);
   auto const last = last_cause(delays);
   if (delays.size() < 2 || spread(delays) >= noticeable_delay || !last) return;
+  if (spread(at_start(delays)) >= noticeable_delay) return;
   bool const identical = std::all_of(delays.begin(), delays.end(), [&](DelayedAxis const& axis) {
     return same_kernel(axis.delay.kernel, delays.front().delay.kernel);
   });
