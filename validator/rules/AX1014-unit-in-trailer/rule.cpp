@@ -5,7 +5,6 @@
 #include "validator/views/units_text.hpp"
 #include "validator/views/written_unit.hpp"
 
-#include <algorithm>
 #include <optional>
 
 namespace axisc::validator::checks::ax1014::says {
@@ -22,8 +21,7 @@ namespace {
 
 Span unit_span(Line const& line) {
   Span const trailer = line.assignment().trailer;
-  std::string_view const text = line.context.source.slice(trailer);
-  std::size_t const size = std::min(text.find_first_of(" \t("), text.size());
+  std::size_t const size = unit_word(line.context.source.slice(trailer)).size();
   return {.begin = trailer.begin, .end = trailer.begin + static_cast<std::uint32_t>(size)};
 }
 
