@@ -264,6 +264,24 @@ TEST_CASE("AX4014: the machine file adds what the lists leave open, and may not 
               gantry) == Lines{"x2.lis:3:21 AX4014"});
 }
 
+TEST_CASE("AX1014: a default list is in the units of its axes, where they are of one type") {
+  auto const machine = [](std::string const& x, std::string const& c) {
+    return Checked(
+               {{"m.json",
+                 R"({"cycle_time_us": 1000, "default_list": "d.lis", "axes": [{"name": "X", "list": "x.lis"},
+                         {"name": "C", "list": "c.lis"}]})"},
+                {"d.lis", "getriebe[0].dynamik.vb_max 500000\ngetriebe[0].dynamik.a_max 20 mm/s^2\n"},
+                {"x.lis", "kopf.achs_nr 1\nkenngr.achs_typ " + x + "\n"},
+                {"c.lis", "kopf.achs_nr 2\nkenngr.achs_typ " + c + "\nkenngr.swe_pos 10 Grad\n"}},
+               "m.json")
+        .found();
+  };
+  CHECK(machine("1", "1") == Lines{"c.lis:3:19 AX1014"});
+  CHECK(machine("1", "2") == Lines{"c.lis:3:19 AX1014"});
+  CHECK(machine("2", "2") == Lines{"d.lis:2:30 AX1014", "c.lis:3:19 AX1014"});
+  CHECK(machine("2", "4") == Lines{"d.lis:2:30 AX1014", "c.lis:3:19 AX1014"});
+}
+
 TEST_CASE("AX4015: numbers of axes and of the default list") {
   std::map<std::string, std::string> files{
       {"m.json",
