@@ -173,6 +173,16 @@ TEST_CASE("AX4021: master and slave of a gantry have the same filters") {
   CHECK(pair(fir(1, 40), fir(4, 20)).found() == Lines{"x2.lis:5:18 AX4021"});
   std::string const off = "filter_fir.type 1\nfilter_fir.order 40\n";
   CHECK(pair(fir(1, 40), off).found() == Lines{"x2.lis:4:18 AX4021"});
+  // What is on is named: the slave has no other filter.
+  for (auto const& [master, note] :
+       {std::pair(fir(1, 40), "the linear-phase filter works in \"x\" alone (`filter_fir.enable`)"),
+        std::pair(std::string("vib_guard.active 1\nvib_guard.freq 30\nvib_guard.damping 0.1\n"),
+                  "the Vibration Guard works in \"x\" alone (`vib_guard.active`)")}) {
+    Checked const lone = pair(master, "");
+    std::string notes;
+    for (Message const& each : lone.result.findings.front().notes) notes += render(each, Language::english);
+    CHECK_THAT(notes, Catch::Matchers::Contains(note));
+  }
   // In one channel it is one mistake.
   CHECK(found({{"x", fir(1, 40), ""}, {"x2", "", ""}}, gantry) == Lines{"x.lis:4:18 AX4021"});
   // Without filters: five cycles between interpolator and position controller where feedforward is used.
