@@ -7,8 +7,8 @@
 
 namespace axisc::validator {
 
-/// The word with which a text begins, without what separates it from the rest: "ms" of "ms; dead time". "min."
-/// keeps its point, because it is no unit: it is short for "minimal".
+/// The word with which a text begins, without what separates it from the rest: "ms" of "ms; dead time".
+/// "min." keeps its point, because it is no unit: it is short for "minimal".
 [[nodiscard]] std::string_view unit_word(std::string_view text);
 
 /// True for a word that is a unit: "ms", "[mm/min]", "µm", "KHZ", "mm/sec".
