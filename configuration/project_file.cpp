@@ -32,6 +32,11 @@ constexpr Sentence project_cycle_time{
     "CycleTime of the NC must be 200 to 1000000 (20 µs to 100 ms in units of 100 ns), not {value}",
     "CycleTime der NC muss 200 bis 1000000 betragen (20 µs bis 100 ms in Einheiten von 100 ns), nicht "
     "{value}"};
+constexpr Sentence project_no_cycle_time{
+    "the task {task} states no {element}, the cycle time of the NC; add it in units of 100 ns, as in "
+    "{element}=\"10000\" for 1 ms",
+    "der Task {task} nennt kein {element}, die Zykluszeit der NC; es in Einheiten von 100 ns ergänzen, etwa "
+    "{element}=\"10000\" für 1 ms"};
 constexpr Sentence project_beside{
     "this is next to the CDATA section of {element} and not read; put the list into the section and remove "
     "the rest",
@@ -65,6 +70,7 @@ bool is_for_machine(std::string_view element) {
 }
 constexpr std::uint64_t nanoseconds_per_unit = 100;
 constexpr std::string_view part_of_interpolator_name = "GEO";
+constexpr std::string_view cycle_time_name = "CycleTime";
 constexpr std::uint32_t longest_text = 1000;  // of a name or a number, in bytes
 
 class ProjectReader {
@@ -111,9 +117,14 @@ class ProjectReader {
   };
 
   struct Task {
-    bool interpolates = false;
-    LocatedText written;
+    Span element;
+    std::string name;  ///< of the task that interpolates; empty for others
+    std::optional<LocatedText> written;
+    std::string_view misspelled;             ///< CycleTime in another letter case, or with a prefix
+    bool is_refused = false;                 ///< already
     std::optional<design::CycleTime> cycle;  ///< none where no control runs with what is written
+
+    [[nodiscard]] bool interpolates() const { return !name.empty(); }
   };
 
   void refuse(Span span, Message message) {
@@ -212,28 +223,63 @@ class ProjectReader {
                                {{"written", std::string(element.name)}, {"meant", std::string(meant.name)}}});
   }
 
+  /// Empty where there is none.
+  [[nodiscard]] std::string_view misspelled_field(std::size_t element, std::string_view meant) const {
+    auto const first =
+        std::lower_bound(fields_.begin(), fields_.end(), element,
+                         [](Field const& each, std::size_t wanted) { return each.element < wanted; });
+    auto const at = std::find_if(first, fields_.end(), [&](Field const& each) {
+      return each.element != element || ascii::equal_ignoring_case(local_name(each.name), meant);
+    });
+    return at != fields_.end() && at->element == element ? at->name : std::string_view();
+  }
+
   void read_task(std::size_t index) {
-    auto const cycle = field(index, "CycleTime");
-    if (!cycle) return;
-    Task& task = tasks_.emplace_back();
-    task.written = *cycle;
-    auto const number = as_number(*cycle);
+    Task task;
+    task.element = document_.elements[index].name_span;
+    auto const refused = findings_.size();
+    task.written = field(index, cycle_time_name);
+    task.is_refused = findings_.size() != refused;
+    if (!task.written && !task.is_refused) task.misspelled = misspelled_field(index, cycle_time_name);
+    auto const number = task.written ? as_number(*task.written) : std::nullopt;
     if (number) task.cycle = possible_cycle_time(*number * nanoseconds_per_unit);
     for (std::string_view const key : {"Name", "ItemName"}) {
       auto const name = field(index, key);
-      task.interpolates =
-          task.interpolates ||
-          (name && ascii::upper_case(name->text).find(part_of_interpolator_name) != std::string::npos);
+      bool const interpolates =
+          name && ascii::upper_case(name->text).find(part_of_interpolator_name) != std::string::npos;
+      if (interpolates) task.name = name->text;
     }
+    bool const matters = task.written || !task.misspelled.empty() || task.interpolates();
+    if (matters) tasks_.push_back(std::move(task));
+  }
+
+  void refuse_unstated(Task const& task) {
+    if (task.is_refused) return;
+    if (task.misspelled.empty()) {
+      refuse(task.element,
+             {says::project_no_cycle_time, {{"task", task.name}, {"element", std::string(cycle_time_name)}}});
+      return;
+    }
+    auto const begin = static_cast<std::uint32_t>(task.misspelled.data() - text_.bytes().data());
+    refuse({.begin = begin, .end = begin + static_cast<std::uint32_t>(task.misspelled.size())},
+           {says::xml_spelling,
+            {{"written", std::string(task.misspelled)}, {"meant", std::string(cycle_time_name)}}});
   }
 
   /// The cycle time of the task whose name fits; otherwise that of all tasks, where they agree.
   void decide_cycle_time() {
-    auto const interpolates = [](Task const& task) { return task.interpolates; };
+    auto const interpolates = [](Task const& task) { return task.interpolates(); };
+    auto const is_stated = [](Task const& task) { return task.written.has_value(); };
     auto const is_possible = [](Task const& task) { return task.cycle.has_value(); };
-    if (std::any_of(tasks_.begin(), tasks_.end(), interpolates)) {
-      std::erase_if(tasks_, std::not_fn(interpolates));
-    } else if (std::any_of(tasks_.begin(), tasks_.end(), is_possible)) {
+    bool const is_named = std::any_of(tasks_.begin(), tasks_.end(), interpolates);
+    if (is_named) std::erase_if(tasks_, std::not_fn(interpolates));
+    if (!std::all_of(tasks_.begin(), tasks_.end(), is_stated)) {
+      for (Task const& task : tasks_) {
+        if (!task.written) refuse_unstated(task);
+      }
+      return;
+    }
+    if (!is_named && std::any_of(tasks_.begin(), tasks_.end(), is_possible)) {
       // A slow task of the PLC is not the one that interpolates.
       std::erase_if(tasks_, std::not_fn(is_possible));
     }
@@ -242,9 +288,9 @@ class ProjectReader {
     if (tasks_.empty() || !agree) return;
     Task const& task = tasks_.front();
     if (task.cycle) {
-      project_.real_time = {.cycle_time = task.cycle, .place = task.written.place};
+      project_.real_time = {.cycle_time = task.cycle, .place = task.written->place};
     } else {
-      refuse(task.written.place.span, {says::project_cycle_time, {{"value", task.written.text}}});
+      refuse(task.written->place.span, {says::project_cycle_time, {{"value", task.written->text}}});
     }
   }
 

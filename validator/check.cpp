@@ -44,6 +44,8 @@ CheckResult check(LoadedMachine& machine, configuration::Files& files, CheckOpti
   }
   result.is_other_list = machine.axes.empty() && !machine.start_up && !machine.machine_file &&
                          (!machine.other_lists.empty() || machine.list_of_unknown_kind.has_value());
+  result.is_update_of_axis = result.is_other_list && !machine.other_lists.empty() &&
+                             machine.other_lists.front().list.kind == configuration::ListKind::axis;
   result.files = machine.files;
   return result;
 }

@@ -30,6 +30,7 @@ struct CheckResult {
   std::optional<machine::Machine> machine;
   /// The input is a list of another kind than axis lists (AX7001): it does not describe a machine.
   bool is_other_list = false;
+  bool is_update_of_axis = false;         ///< such a list that is an axis list in XML: it holds only changes
   Obstacle obstacle = Obstacle::none;     ///< why there is no machine
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file set it

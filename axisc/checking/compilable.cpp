@@ -34,6 +34,11 @@ constexpr Sentence no_axis{
     "{file} konfiguriert keine Achse, zu kompilieren ist also nichts; die Listen der Achsen nennen"};
 constexpr Sentence other_list{"{file} is not an axis list, so it configures no filter",
                               "{file} ist keine Achsliste und konfiguriert keinen Filter"};
+constexpr Sentence update{
+    "{file} is an axis list in XML, which by itself holds only changes; name the machine that it belongs to: "
+    "its start-up list, or the folder with it",
+    "{file} ist eine Achsliste in XML und enthält für sich allein nur Änderungen; die Maschine nennen, zu "
+    "der sie gehört: deren Hochlaufliste oder den Ordner damit"};
 constexpr Sentence not_compiled{
     "{place}: this version cannot compile {feature}; switch it off to compile the rest",
     "{place}: diese Version kann {feature} nicht kompilieren; abschalten, um den Rest zu kompilieren"};
@@ -54,11 +59,15 @@ std::optional<SentenceRef> sentence_of(validator::Obstacle obstacle) {
   return std::nullopt;
 }
 
+SentenceRef sentence_of_other_list(validator::CheckResult const& result) {
+  return result.is_update_of_axis ? SentenceRef(says::update) : SentenceRef(says::other_list);
+}
+
 }  // namespace
 
 void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
   bool const is_machine = ascii::has_extension(input, ".json");
-  if (result.is_other_list) throw Failure({says::other_list, {{"file", input}}});
+  if (result.is_other_list) throw Failure({sentence_of_other_list(result), {{"file", input}}});
   // Findings about the machine come first: the cycle time may be part of it.
   bool const lacks_more =
       result.obstacle == validator::Obstacle::incomplete || (is_machine && !result.machine);
@@ -70,7 +79,7 @@ void require_cycle_time(std::string const& input, validator::CheckResult const& 
 std::optional<Failure> refusal(std::string const& input, validator::CheckResult const& result,
                                SourceSet const& sources, Language language) {
   auto const said = [&input](SentenceRef sentence) { return Failure({sentence, {{"file", input}}}); };
-  if (result.is_other_list) return said(says::other_list);
+  if (result.is_other_list) return said(sentence_of_other_list(result));
   if (ascii::has_extension(input, ".nc")) return said(says::nc_program);
   if (auto const sentence = sentence_of(result.obstacle)) return said(*sentence);
   if (result.not_compiled.empty()) return std::nullopt;

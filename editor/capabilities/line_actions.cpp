@@ -62,10 +62,9 @@ std::optional<Measured> measured(OpenList const& list, grammar::Assignment const
   auto const number = schema::read_real(digits);
   auto const begin = text.find_first_not_of(" \t", size);
   if (number.status != schema::NumberStatus::good || begin == std::string::npos) return std::nullopt;
-  auto const end = std::min(text.find_first_of(" \t(", begin), text.size());
-  auto unit = text.substr(begin, end - begin);
+  std::string unit(validator::unit_word(std::string_view(text).substr(begin)));
   if (!validator::is_unit(unit)) return std::nullopt;
-  text.resize(end);
+  text.resize(begin + unit.size());
   return Measured{.text = std::move(text), .number = number.number, .unit = std::move(unit)};
 }
 

@@ -100,6 +100,23 @@ TEST_CASE("an update that is right says nothing, whatever it leaves out") {
   CHECK(outcome.out == "1 file: no findings\n");
 }
 
+TEST_CASE("an update has no image: its machine has") {
+  TemporaryFolder const folder;
+  folder.write("update.xml", "<AX_MDS><P-AXIS-00016 Value=\"1\"/></AX_MDS>");
+  folder.write("channel.xml", "<SDA_MDS><P-CHAN-00006.1 Value=\"Y\"/></SDA_MDS>");
+  auto const refusal = [&folder](std::vector<std::string> const& words) {
+    auto const outcome = run_axisc(words, in_folder(folder.path()));
+    CHECK(outcome.status == 2);
+    return outcome.err;
+  };
+  CHECK_THAT(
+      refusal({"compile", "update.xml", "-o", "m.axim", "--cycle-time", "1ms"}),
+      Catch::Matchers::Contains("update.xml is an axis list in XML, which by itself holds only changes; "
+                                "name the machine that it belongs to: its start-up list"));
+  CHECK_THAT(refusal({"compile", "channel.xml", "-o", "m.axim", "--cycle-time", "1ms"}),
+             Catch::Matchers::Contains("channel.xml is not an axis list"));
+}
+
 TEST_CASE("XML that is malformed or no list is told with its place") {
   TemporaryFolder const folder;
   folder.write("cut.xml", "<AX_MDS>\n  <P-AXIS-00016 Value=\"1\"/>\n");

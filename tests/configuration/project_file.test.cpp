@@ -117,6 +117,41 @@ TEST_CASE("a cycle time that no control runs with is refused where it is written
   CHECK(begins(Read("<P><Task CycleTime='20000000'/></P>").mistake(), "1:1 the project holds no list"));
 }
 
+TEST_CASE("the task that interpolates must state its cycle time, in this spelling") {
+  auto const read = [](std::string const& tasks) {
+    Read const whole("<P><AchsMds><![CDATA[x 1]]></AchsMds>\n" + tasks + "</P>");
+    CHECK_FALSE(whole.project.real_time.cycle_time.has_value());
+    CHECK(whole.mistakes.size() == 1);
+    return whole.mistake();
+  };
+  std::string const other = "<Task CycleTime='40000'><Name>SDA</Name></Task>";
+  std::string const missing =
+      "2:2 the task GEO states no CycleTime, the cycle time of the NC; add it in units of 100 ns, as in "
+      "CycleTime=\"10000\" for 1 ms";
+  CHECK(read("<Task><Name>GEO</Name></Task>" + other) == missing);
+  CHECK(read("<Task Name='GEO' CycleTime=''/>" + other) == missing);
+  CHECK(read("<Task Name='GEO'/>") == missing);
+  CHECK(read("<Task Name='GEO'/><Task Name='Geo2' CycleTime='20000'/>") == missing);
+  std::string const spelling =
+      " is not read, because names in XML have one spelling, without a prefix; write CycleTime";
+  CHECK(read("<Task cycletime='20000'><Name>GEO</Name></Task>" + other) == "2:7 cycletime" + spelling);
+  CHECK(read("<Task><Name>GEO</Name>\n<t:CycleTime>20000</t:CycleTime></Task>" + other) ==
+        "3:2 t:CycleTime" + spelling);
+  // Where no name fits, all tasks count.
+  CHECK(read("<Task CYCLETIME='40000'/>" + other) == "2:7 CYCLETIME" + spelling);
+  CHECK(begins(read("<Task Name='GEO' CycleTime='" + std::string(1001, '1') + "'/>"),
+               "2:29 CycleTime has more"));
+}
+
+TEST_CASE("tasks without a cycle time do not matter where the one that interpolates is known") {
+  Read const read(
+      "<P><AchsMds><![CDATA[x 1]]></AchsMds><Task Name='PLC'/><Task cycletime='1'/>"
+      "<Task Name='GEO' CycleTime='20000' cycletime='1'/></P>");
+  CHECK(read.mistake() == "none");
+  CHECK(read.project.real_time.cycle_time->nanoseconds == 2'000'000);
+  CHECK(begins(Read("<P><Task Name='GEO'/></P>").mistake(), "1:1 the project holds no list"));
+}
+
 TEST_CASE("XML that is not well-formed is one finding with its place") {
   CHECK(begins(Read("<P>\n <A>\n</P>").mistake(), "3:3 this end tag"));
   CHECK(begins(Read("<P><AchsMds><![CDATA[x").mistake(), "1:13 the CDATA section"));

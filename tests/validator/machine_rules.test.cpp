@@ -199,6 +199,16 @@ TEST_CASE("AX4021: master and slave of a gantry have the same filters") {
   CHECK(pair(fir(1, 40), fir(4, 20)).found() == Lines{"x2.lis:5:18 AX4021"});
   std::string const off = "filter_fir.type 1\nfilter_fir.order 40\n";
   CHECK(pair(fir(1, 40), off).found() == Lines{"x2.lis:4:18 AX4021"});
+  // What is on is named: the slave has no other filter.
+  for (auto const& [master, note] :
+       {std::pair(fir(1, 40), "the linear-phase filter works in \"x\" alone (`filter_fir.enable`)"),
+        std::pair(std::string("vib_guard.active 1\nvib_guard.freq 30\nvib_guard.damping 0.1\n"),
+                  "the Vibration Guard works in \"x\" alone (`vib_guard.active`)")}) {
+    Checked const lone = pair(master, "");
+    std::string notes;
+    for (Message const& each : lone.result.findings.front().notes) notes += render(each, Language::english);
+    CHECK_THAT(notes, Catch::Matchers::Contains(note));
+  }
   // In one channel it is one mistake.
   CHECK(found({{"x", fir(1, 40), ""}, {"x2", "", ""}}, gantry) == Lines{"x.lis:4:18 AX4021"});
   // Without filters: five cycles between interpolator and position controller where feedforward is used.
@@ -288,6 +298,24 @@ TEST_CASE("AX4014: the machine file adds what the lists leave open, and may not 
                {"x2", "kenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 3\n", ""},
                {"y", "kenngr.achs_mode 0x10001\n", ""}},
               gantry) == Lines{"x2.lis:3:21 AX4014"});
+}
+
+TEST_CASE("AX1014: a default list is in the units of its axes, where they are of one type") {
+  auto const machine = [](std::string const& x, std::string const& c) {
+    return Checked(
+               {{"m.json",
+                 R"({"cycle_time_us": 1000, "default_list": "d.lis", "axes": [{"name": "X", "list": "x.lis"},
+                         {"name": "C", "list": "c.lis"}]})"},
+                {"d.lis", "getriebe[0].dynamik.vb_max 500000\ngetriebe[0].dynamik.a_max 20 mm/s^2\n"},
+                {"x.lis", "kopf.achs_nr 1\nkenngr.achs_typ " + x + "\n"},
+                {"c.lis", "kopf.achs_nr 2\nkenngr.achs_typ " + c + "\nkenngr.swe_pos 10 Grad\n"}},
+               "m.json")
+        .found();
+  };
+  CHECK(machine("1", "1") == Lines{"c.lis:3:19 AX1014"});
+  CHECK(machine("1", "2") == Lines{"c.lis:3:19 AX1014"});
+  CHECK(machine("2", "2") == Lines{"d.lis:2:30 AX1014", "c.lis:3:19 AX1014"});
+  CHECK(machine("2", "4") == Lines{"d.lis:2:30 AX1014", "c.lis:3:19 AX1014"});
 }
 
 TEST_CASE("AX4015: numbers of axes and of the default list") {

@@ -122,12 +122,44 @@ class Engine {
     return owners;
   }
 
+  /// None for a list alone that does not say it: its default list may.
+  [[nodiscard]] std::optional<machine::AxisType> stated_type(LoadedAxis const& axis) const {
+    EffectiveValue const& written = axis.merged.values.at("kenngr.achs_typ");
+    bool const is_alone = !machine_.machine_file && !machine_.start_up && !machine_.default_list;
+    bool const is_known =
+        axis.type != machine::AxisType::translatory || (written.set() ? !written.unusable : !is_alone);
+    return is_known ? std::optional(axis.type) : std::nullopt;
+  }
+
+  /// By list; see ListContext.
+  [[nodiscard]] std::vector<std::optional<machine::AxisType>> axis_types() const {
+    std::vector<std::optional<machine::AxisType>> types(machine_.lists.size());
+    std::vector<bool> used(machine_.lists.size());
+    auto const note = [&](std::size_t list, std::optional<machine::AxisType> type) {
+      auto const is_translatory = [](machine::AxisType each) {
+        return each == machine::AxisType::translatory;
+      };
+      bool const agree = types[list] && type && is_translatory(*types[list]) == is_translatory(*type);
+      types[list] = !used[list] || agree ? type : std::nullopt;
+      used[list] = true;
+    };
+    for (LoadedAxis const& axis : machine_.axes) {
+      auto const type = stated_type(axis);
+      note(axis.list, type);
+      bool const has_more = machine_.default_list && *machine_.default_list != axis.list;
+      if (has_more) note(*machine_.default_list, type);
+    }
+    if (machine_.default_list && !machine_.knows_all_axes) types[*machine_.default_list].reset();
+    return types;
+  }
+
   void run_list_checks() {
     std::vector<std::string_view> const owner_of = owners();
+    std::vector<std::optional<machine::AxisType>> const type_of = axis_types();
     for (std::size_t i = 0; i < machine_.lists.size(); ++i) {
       LoadedList const& list = machine_.lists[i].list;
-      ListContext const& context =
-          list_contexts_.emplace_back(ListContext{list, sources_[list.source], machine_.cycle_time});
+      ListContext const& context = list_contexts_.emplace_back(
+          ListContext{list, sources_[list.source], machine_.cycle_time, type_of[i]});
       for (Rule const& rule : rules()) {
         auto const* const check = std::get_if<ListCheck>(&rule.check);
         if (check == nullptr || !policy_.enabled(rule, list.source)) continue;

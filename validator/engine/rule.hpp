@@ -40,6 +40,8 @@ struct ListContext {
   LoadedList const& list;
   SourceText const& source;
   std::optional<design::CycleTime> cycle_time = {};  ///< none where nothing says it
+  /// Of the axes that read it; none where nothing says it, or where some are translatory and others are not.
+  std::optional<machine::AxisType> axis_type = {};
 };
 
 /// The context of a rule about the whole machine: axes, lists, gantries, the machine file's values. A list

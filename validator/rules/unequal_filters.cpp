@@ -9,6 +9,9 @@
 
 namespace axisc::validator::says {
 
+constexpr Sentence guard_on_at_start{
+    "at start-up the Vibration Guard works in \"{axis}\" alone (`vib_guard.active`)",
+    "beim Hochlauf wirkt der Vibration Guard nur in „{axis}“ (`vib_guard.active`)"};
 constexpr Sentence on_at_start{
     "at start-up the linear-phase filter works in \"{axis}\" alone (`filter_fir.enable`)",
     "beim Hochlauf wirkt der linearphasige Filter nur in „{axis}“ (`filter_fir.enable`)"};
@@ -118,7 +121,9 @@ Finding& report_difference(PositionDifference const& difference, SentenceRef hea
   }
   if (on_at_start(pair.master.delay) != on_at_start(pair.slave.delay)) {
     DelayedAxis const& on = on_at_start(pair.master.delay) ? pair.master : pair.slave;
-    finding.notes.push_back({says::on_at_start, {{"axis", on.axis.name}}});
+    bool const is_guard = on.delay.kernel->family == machine::KernelFamily::guard;
+    SentenceRef const sentence = is_guard ? says::guard_on_at_start : says::on_at_start;
+    finding.notes.push_back({sentence, {{"axis", on.axis.name}}});
   }
   return finding;
 }

@@ -236,8 +236,15 @@ class Judge {
       return text_behind_symbol(assignment_.value.end);
     }
     reading_.text = free_text();
+    bool const is_glued = assignment_.kind == ValueKind::other && token().starts_with('"');
+    if (is_glued) return text_behind_symbol(end_of_quotation());
     if (comment_in_text(free_text())) return;
     accept({.number = 0, .text = utf8(free_text())});
+  }
+
+  /// Of `"X"Y`, the place of `Y`.
+  [[nodiscard]] std::uint32_t end_of_quotation() const {
+    return assignment_.value.begin + static_cast<std::uint32_t>(token().find('"', 1) + 1);
   }
 
   void accept(schema::Value value) {

@@ -69,7 +69,11 @@ std::pair<std::string, std::string> number_and_unit(std::string const& text) {
 /// As the list has it.
 std::string list_text(EffectiveValue const& value, machine::AxisType type, std::string const& text) {
   auto const& row = *value.row;
-  if (row.type == schema::DataType::string || !row.symbols.empty()) return text;
+  if (!row.symbols.empty()) {
+    auto const* const symbol = schema::read_symbol(row, text).symbol;
+    return symbol != nullptr ? std::string(symbol->word) : text;
+  }
+  if (row.type == schema::DataType::string) return text;
   auto const [digits, unit] = number_and_unit(text);
   if (unit.empty() || !validator::is_unit(unit)) return text;
   auto const name = parameter_name(value);

@@ -66,6 +66,16 @@ TEST_CASE("a value is replaced where it stands, with its unit converted") {
   CHECK(set(list, {"filter[0].fg_f0=30.0"}).bytes.empty());
 }
 
+TEST_CASE("a word is written as the catalogue spells it") {
+  TemporaryFolder const folder;
+  std::string const list = replaced(plain, "Ende\n", "filter[0].type            lowpass\nEnde\n");
+  auto const path = folder.write("x.lis", list);
+  CHECK(set(path, {"filter[0].type=bandstop"}).bytes == replaced(list, "lowpass", "BANDSTOP"));
+  CHECK(set(path, {"filter[0].enable=false"}).bytes ==
+        replaced(list, "1          ( P-AXIS-00319", "FALSE      ( P-AXIS-00319"));
+  CHECK(set(path, {"kopf.log_achs_name=x_achse"}).bytes.find(" x_achse\n") != std::string::npos);
+}
+
 TEST_CASE("a missing line follows its family, aligned as that is") {
   TemporaryFolder const folder;
   auto const list = folder.write("x.lis", plain);

@@ -135,6 +135,8 @@ TEST_CASE("a value with its unit is converted to the unit of the list") {
   CHECK(converted("filter[0].time_constant 0,5 ms ( so\n") == "filter[0].time_constant 500 ( 0,5 ms ( so\n");
   CHECK(converted("filter[0].fg_f0 42.5Hz\n") == "filter[0].fg_f0 42.5 ( 42.5Hz\n");
   CHECK(converted("filter[0].fg_f0 0.1 kHz\n") == "filter[0].fg_f0 100 ( 0.1 kHz\n");
+  CHECK(converted("filter[0].time_constant 20 MSEC; so\n") ==
+        "filter[0].time_constant 20000 ( 20 MSEC; so\n");
   CHECK(converted("getriebe[0].dynamik.vb_max 500 mm/s\n") ==
         "getriebe[0].dynamik.vb_max 500000 ( 500 mm/s\n");
   // In the list's unit, of another quantity, not whole, no unit, no number.

@@ -5,7 +5,6 @@
 #include "validator/views/units_text.hpp"
 #include "validator/views/written_unit.hpp"
 
-#include <algorithm>
 #include <optional>
 
 namespace axisc::validator::checks::ax1014::says {
@@ -22,8 +21,7 @@ namespace {
 
 Span unit_span(Line const& line) {
   Span const trailer = line.assignment().trailer;
-  std::string_view const text = line.context.source.slice(trailer);
-  std::size_t const size = std::min(text.find_first_of(" \t("), text.size());
+  std::size_t const size = unit_word(line.context.source.slice(trailer)).size();
   return {.begin = trailer.begin, .end = trailer.begin + static_cast<std::uint32_t>(size)};
 }
 
@@ -40,14 +38,17 @@ std::optional<WrittenUnit> other_unit(Line const& line) {
     return std::nullopt;
   }
   std::string const word = line.text(unit_span(line));
-  if (line_value.row->unit_translatory.empty() || !is_unit(word)) return std::nullopt;
+  auto const type = line.context.axis_type;
+  std::string_view const own = unit_of(*line_value.row, type.value_or(machine::AxisType::translatory));
+  if (own.empty() || !is_unit(word)) return std::nullopt;
   // A list may be one for all axes, so that the kind of axis is not known.
-  for (std::string_view const unit : {line_value.row->unit_translatory, line_value.row->unit_rotary}) {
+  std::string_view const other = type ? own : line_value.row->unit_rotary;
+  for (std::string_view const unit : {own, other}) {
     auto const ratio = unit_ratio(word, unit);
     if (ratio && *ratio == 1) return std::nullopt;
     if (ratio) return WrittenUnit{.unit = unit, .ratio = ratio};
   }
-  return WrittenUnit{.unit = line_value.row->unit_translatory, .ratio = std::nullopt};
+  return WrittenUnit{.unit = own, .ratio = std::nullopt};
 }
 
 void describe(Finding& finding, Line const& line) {
@@ -58,7 +59,8 @@ void describe(Finding& finding, Line const& line) {
       message(says::headline,
               {{"parameter", line.name()}, {"unit", raw_unit_name(unit.unit)}, {"written", line.text(word)}});
   set_reaction(finding, says::reaction, {}, line.text(value));
-  add_physical(finding, *line.line_value().row, machine::AxisType::translatory,
+  add_physical(finding, *line.line_value().row,
+               line.context.axis_type.value_or(machine::AxisType::translatory),
                line.line_value().value.number);
   std::string const number = unit.ratio ? converted_number(line.line_value().value.number, *unit.ratio,
                                                            schema::is_integer(line.line_value().row->type))
