@@ -3,7 +3,7 @@
  * The same filters as axisrt (axisrt.h) at level portable, bit for bit, for tools and controllers that take C
  * sources: FMUs, S-functions, PLC runtimes, small processors. Written from docs/image-format.md. It has no
  * instruction sets, change of image, recorder or signatures; and it checks of an image what it relies on:
- * `axisc verify` or axisrt_verify check everything.
+ * `axisc inspect` and axisrt_verify check everything.
  *
  * The caller owns all memory; nothing here allocates, locks, does input or output, or recurses. All calls for
  * one runtime come from one task. Arrays have one entry per axis, in image order. The processor must round to
