@@ -18,18 +18,6 @@ Wording cycles_text(double cycles) {
   return format_rounded(std::round(cycles * 1000) / 1000, 6);
 }
 
-/// Its linear-phase filter is the last in the chain.
-void leave_out_kernel(AxisDelay& delay) {
-  delay.cycles -= delay.shares.back().cycles;
-  delay.shares.pop_back();
-  delay.kernel.reset();
-  auto const less = [](DelayShare const& left, DelayShare const& right) {
-    return std::abs(left.cycles) < std::abs(right.cycles);
-  };
-  auto const most = std::max_element(delay.shares.begin(), delay.shares.end(), less);
-  delay.cause = most == delay.shares.end() ? nullptr : most->cause;
-}
-
 }  // namespace
 
 Delays delays_of(GroupContext const& context) {
@@ -46,9 +34,7 @@ Delays delays_of(GroupContext const& context) {
 }
 
 Delays at_start(Delays delays) {
-  for (DelayedAxis& axis : delays) {
-    if (axis.delay.kernel && !axis.delay.kernel->on_at_start) leave_out_kernel(axis.delay);
-  }
+  for (DelayedAxis& axis : delays) axis.delay = validator::at_start(std::move(axis.delay));
   return delays;
 }
 

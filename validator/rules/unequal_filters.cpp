@@ -35,10 +35,7 @@ double position_delay_of(DelayedAxis const& axis) {
 
 /// With the filters that work from start-up.
 double delay_at_start(DelayedAxis const& axis) {
-  double cycles = position_delay_of(axis);
-  bool const off = axis.delay.kernel && !axis.delay.kernel->on_at_start;
-  if (off) cycles -= axis.delay.shares.back().cycles;
-  return cycles;
+  return validator::at_start(axis.delay).cycles + axis.after_filters;
 }
 
 /// The largest difference that start-up or `#FILTER` may bring about.

@@ -5,6 +5,7 @@
 #include "validator/views/guard_view.hpp"
 #include "validator/views/hsc_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -100,6 +101,20 @@ class Sum {
 
 std::optional<AxisDelay> axis_delay(EffectiveValues const& values, design::CycleTime cycle_time) {
   return Sum(values, cycle_time).take();
+}
+
+AxisDelay at_start(AxisDelay delay) {
+  if (!delay.kernel || delay.kernel->on_at_start) return delay;
+  // It is the last in the chain.
+  delay.cycles -= delay.shares.back().cycles;
+  delay.shares.pop_back();
+  delay.kernel.reset();
+  auto const less = [](DelayShare const& left, DelayShare const& right) {
+    return std::abs(left.cycles) < std::abs(right.cycles);
+  };
+  auto const most = std::max_element(delay.shares.begin(), delay.shares.end(), less);
+  delay.cause = most == delay.shares.end() ? nullptr : most->cause;
+  return delay;
 }
 
 }  // namespace axisc::validator

@@ -31,4 +31,7 @@ struct AxisDelay {
 [[nodiscard]] std::optional<AxisDelay> axis_delay(EffectiveValues const& values,
                                                   design::CycleTime cycle_time);
 
+/// Without a FIR or HSC filter that waits for its command.
+[[nodiscard]] AxisDelay at_start(AxisDelay delay);
+
 }  // namespace axisc::validator
